@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
     try {
         return psicarve::cli::run(argc, argv);
     } catch (const std::exception& error) {
-        // Only what nobody can foresee comes here: memory that is not there, above all.
+        // Only unforeseeable failures get here: above all, a lack of memory.
         std::fprintf(stderr, "psicarve: %s\n", psicarve::printable(error.what()).c_str());
         return 3;
     }

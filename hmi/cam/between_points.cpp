@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::size_t kMostPlaces = 36;  // a tenth of what the tables took, or less
 
-/// What is looked at of a gap: from a point to the next, and between them.
+/// The part of a gap to be tested: from a point to the next, and between them.
 struct Stretch {
     double from_rad;
     double to_rad;
     std::array<double, 2> between_rad;
 };
 
-/// The gaps in whose middle, and where most is known of, the tool is looked at; all, if they are few.
+/// The gaps to be tested with the tool: in their middle, and where edges go deepest; all, if they are few.
 std::vector<Stretch> worst_stretches(const std::vector<Gap>& gaps, const std::vector<double>& round_rad) {
     std::vector<std::size_t> order(gaps.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -87,7 +87,7 @@ Missing missing_of(const BlankProfile& blank, std::span<const double> directions
 
 void warn_about_radius(const Profile& profile, const Missing& missing, SliceReport& report) {
     const BlankProfile& blank = profile.blank;
-    // Less than the heads can place, and what rounding makes of a model as large as the blank.
+    // Less than the heads can place, and the rounding of a model as large as the blank.
     if (missing.most_mm <= 0.5 / profile.r1.pulses_per_mm) return;
     if (blank.reach_mm() == blank.radius_mm) {
         report.warnings.push_back("the blank's radius of " + mm_text(blank.radius_mm) +
@@ -102,7 +102,7 @@ void warn_about_radius(const Profile& profile, const Missing& missing, SliceRepo
                               " deg");
 }
 
-/// The heads wait beside a blank that they clear, but not as far from it as they should.
+/// Warns when the heads clear the blank, but not by as much as they should.
 void warn_about_room(const Profile& profile, double blank_mm, SliceReport& report) {
     const double room_mm = reachable_radius(profile, 1.0) - blank_mm;
     if (room_mm >= profile.job.clearance_mm - 0.5 / profile.r1.pulses_per_mm) return;
@@ -162,7 +162,7 @@ void warn_about_blank_size(const Profile& profile, std::span<const double> direc
 void warn_about_blank(const Profile& profile, std::span<const double> directions_rad,
                       std::span<const double> model_mm, double top_mm, SliceReport& report) {
     warn_about_blank_size(profile, directions_rad, model_mm, top_mm, report);
-    // One that is not known is as large as the model at least.
+    // An unknown blank is at least as large as the model.
     if (profile.blank.radius_mm == 0.0) warn_about_room(profile, report.r_max_mm, report);
     const BlankProfile& blank = profile.blank;
     const double deep_mm = std::max(blank.reach_mm(), report.r_max_mm) - report.r_min_mm;
@@ -223,7 +223,7 @@ double row_gap_mm(const Profile& profile, const JobTable& table) {
 }
 
 void warn_about_layers(const Profile& profile, const JobTable& table, SliceReport& report) {
-    // Of the pitch: what a point leaves between rows is not known, less than this is not worth a word.
+    // Of the pitch: what a point leaves between rows is not known; a smaller difference needs no warning.
     constexpr double kEvenShare = 1.25;
     const double pitch_mm = layer_pitch_mm(profile, table);
     const double gap_mm = row_gap_mm(profile, table);

@@ -22,11 +22,11 @@ struct FileUnit {
     const char* question;
     double mm;
 };
-/// The larger first: what is a core's width in inches is far beyond any travel in metres.
+/// The larger first: a core's width in inches is far beyond any travel in metres.
 constexpr std::array<FileUnit, 2> kOtherUnits{
     {{"metres (--scale 1000)", 1000.0}, {"inches (--scale 25.4)", 25.4}}};
 
-/// How far in the tips come, and what stops them there.
+/// How far in the tips come, and what limits them.
 struct LeastRadius {
     double mm = 0.0;
     bool is_travel = false;  ///< the end of a head's travel; else the core radius
@@ -52,7 +52,7 @@ const char* way_further_in(const LeastRadius& least) {
     return least.is_travel ? "travel_mm that goes further in" : "smaller core_radius_mm";
 }
 
-/// Which unit would make a model of it that the machine can carve.
+/// The unit, if any, with which the machine could carve the model.
 std::optional<FileUnit> probable_unit(const Profile& profile, const JobOptions& options,
                                       double model_radius_mm, const SliceReport& report) {
     if (options.height_mm || options.scale || options.fits || !report.body_json.empty()) return std::nullopt;

@@ -24,7 +24,7 @@ constexpr double kFarthestPsi_pulses = 9007199254740992.0;  // 2^53: whole numbe
 class PassRuns {
 public:
     explicit PassRuns(double most_mm) : most_mm_(most_mm) {}
-    /// What the row says is wrong, or nothing. `begins_layer`: the row is the first of its layer.
+    /// Returns what is wrong with the row, or nothing. `begins_layer`: the row is the first of its layer.
     std::string add(std::span<const double> row, std::uint32_t layer, bool begins_layer) {
         const std::span<const double> said = row.subspan(kRun);
         if (std::equal(said.begin(), said.end(), said_.begin(), said_.end())) {
@@ -70,7 +70,7 @@ private:
     std::vector<JobPass> passes_;
 };
 
-/// Where each point stands, and whether a joining has it there.
+/// The place of each point, and whether a joining has it there.
 class Places {
 public:
     explicit Places(const JobTable& table) : table_(table) {}
@@ -110,7 +110,7 @@ private:
     std::vector<double> psi_;
 };
 
-/// What all points of a table allow.
+/// The joinings that all points of a table allow.
 struct Fits {
     bool continuous = true;
     bool zigzag = true;
@@ -128,7 +128,7 @@ Result<Fits> fits_of(const JobTable& table, const Places& places, const std::str
                 return bad_input(table_place(path, layer, point) + "psi is not where any joining has it");
             }
             fits.level = fits.level && places.is_level(layer, point);
-            // A spiral turns on and on.
+            // A spiral keeps turning.
             fits.rising = fits.rising && fits.continuous && places.rises(layer, point);
             if (!fits.level && !fits.rising) {
                 return bad_input(table_place(path, layer, point) +
@@ -151,7 +151,7 @@ Joining joining_of(const Fits& fits, Joining usual) {
     return Joining::spiral;
 }
 
-/// What is wrong with where a row says it stands, or nothing.
+/// What is wrong with a row's place, or nothing.
 std::string wrong_place(std::span<const double> row, double layer_before, const JobTable& table,
                         std::size_t count) {
     if (table.layer_count == 0 || row[1] != static_cast<double>(count % table.point_count))

@@ -28,7 +28,7 @@ double scale_in_blank(const model::Mesh& mesh, const slice::Placement& placement
             const double x = mesh.origin[from[0]] + double{vertex[from[0]]} - placement.axis_x;
             const double y = mesh.origin[from[1]] + double{vertex[from[1]]} - placement.axis_y;
             const double square = x * x + y * y;
-            // |s p - off| = radius, solved for s without a difference of what is nearly equal.
+            // |s p - off| = radius, solved for s without a difference of nearly equal numbers.
             const double along = x * off_x + y * off_y;
             const double root = std::sqrt(std::max(0.0, along * along + square * power));
             const double s = along > 0.0 ? (along + root) / square : power / (root - along);
@@ -67,7 +67,7 @@ double fitting_scale(const model::Mesh& mesh, const Profile& profile, const JobP
     }
     const Limit& least = *std::min_element(limits.begin(), limits.end(),
                                            [](const Limit& a, const Limit& b) { return a.scale < b.scale; });
-    // What rounding might add must not pass the limit.
+    // A margin, so that rounding does not pass the limit.
     const double scale = least.scale * (1.0 - 1e-7);
     report.notes.push_back("fitted: " + decimals(scale * height, 2) + " mm high, up to " +
                            decimals(scale * radius, 2) + " mm from the axis; more does not fit " +

@@ -50,7 +50,7 @@ public:
         pitch_ = plan.heights.size() > 1 ? plan.heights[1] - plan.heights[0] : 0.0;
     }
 
-    /// By gap; or, with less work, only the most of them all.
+    /// By gap; or, with less work, only the greatest of all.
     std::vector<Gap> found(bool is_most_enough) {
         is_most_enough_ = is_most_enough;
         if (tool_.shape == tool::Shape::point && !rises_) {
@@ -93,7 +93,7 @@ private:
         double angle;  ///< 0 to a turn
     };
 
-    /// Which gap holds a direction, as a head sees it.
+    /// The gap that holds a direction, as a head faces it.
     struct Seat {
         std::size_t gap;
         double along;  ///< 0 to 1
@@ -112,7 +112,7 @@ private:
         return {x, y, z, angle < 0.0 ? angle + 2.0 * kPi : angle};
     }
 
-    /// A closed body's edges come twice, once each way.
+    /// Each edge of a closed body comes twice, once each way: follows it once.
     bool is_followed(const Vertex& from, const Vertex& to) const noexcept {
         // Without branches, which no processor would guess right.
         const auto rises = [&](std::size_t k) { return unsigned{from[k] < to[k]}; };
@@ -181,7 +181,7 @@ private:
         if (std::max(from.z, to.z) < plan_.heights.front() - margin ||
             std::min(from.z, to.z) > plan_.heights.back() + margin)
             return;
-        // Of edges that are followed one way only, some corners are no edge's begin.
+        // Where edges are followed one way only, some corners are the begin of none.
         if (reach > 0.0)
             for (const Head& head : frames_) around(head, to, seat_of(head, to.angle));
         const double turned = std::abs(std::remainder(to.angle - from.angle, 2.0 * kPi));
@@ -193,7 +193,7 @@ private:
         };
         if (!rises_) {
             for (const Head& head : frames_) cross(head, from, to);
-            // Steeper ones are met by enough layers.
+            // Steeper pieces cross enough layers.
             if (tool_.shape == tool::Shape::point || std::abs(to.z - from.z) > steps * pitch_) return;
             for (int i = 1; i < steps; ++i) {
                 const Place place = part(static_cast<double>(i) / steps);
@@ -262,7 +262,7 @@ private:
         return at.z - head.height - (rises_ ? seat.part * pitch_ : 0.0);
     }
 
-    /// The head that goes through a gap in a row.
+    /// The head that passes through a gap in a row.
     const Head& head_in(std::size_t row, std::size_t gap) const noexcept {
         const bool half_a_turn_on = plan_.joining != Joining::zigzag && row % 2 != 0;
         const bool is_left = half_a_turn_on == (gap >= half_);
@@ -276,15 +276,15 @@ private:
         return head.radii.data() + row * plan_.point_count + (gap < half_ ? gap : gap - half_);
     }
 
-    /// Whether note() could take something up at this radius (its square) if the tip stands there or further
-    /// out, and so much is known already.
+    /// Whether note() could find more than is known already at this radius (its square) with the tip there or
+    /// further out.
     bool is_worth_a_look(double radius_square, double tip, double known) const noexcept {
         constexpr double kRounding = 1.0 + 1e-12;
         const double least = tip + rounding_ + known;
         return least < 0.0 || radius_square * kRounding > least * least;
     }
-    /// The same of an edge's crossing with a flat row: what takes trigonometry is bounded first, and mostly
-    /// that is enough.
+    /// The same for an edge's crossing with a flat row: bounds first what takes trigonometry, which usually
+    /// suffices.
     bool may_say_more(const Head& frame, double x, double y, std::size_t row) const noexcept {
         const double square = x * x + y * y;
         if (!is_worth_a_look(square, least_tip_, most_)) return false;
@@ -307,7 +307,7 @@ private:
     void note(const Head& frame, const Seat& seat, std::size_t height, double least_tip) {
         const std::size_t row = rises_ ? height + 1 : height;
         const Head& head = head_in(row, seat.gap);
-        // Another frame's.
+        // Another frame has this head.
         if (!has_frame(head, frame)) return;
         const std::int32_t* radii = radii_at(head, row, seat.gap);
         const double straight = radii[0] + seat.along * (radii[1] - radii[0]);

@@ -24,7 +24,7 @@ public:
           cell_(groove_cell(grooves, profile, plan)),
           index_(grooves, grooves.wall_mm() + std::hypot(cell_.along_mm, cell_.height_mm)) {}
 
-    /// `fill` takes a row and its radii once round; `go_on` the part of the rows that is done.
+    /// `fill` gets a row and its radii once round; `go_on` the part of the rows that is done.
     template <typename Fill, typename GoOn>
     Result<void> go(double angle_error_deg, double height_error_mm, const Fill& fill,
                     const GoOn& go_on) const {

@@ -39,7 +39,7 @@ namespace {
 
 using Totals = std::vector<slice::LayerTotals>;
 
-/// Progress of one part of the work: from `begin` on, so much of the whole.
+/// Progress of one part of the work: `share` of the whole, from `begin` on.
 slice::SliceOptions part_of(const JobOptions& options, double begin, double share) {
     slice::SliceOptions part{options.thread_count, {}};
     if (!options.progress) return part;
@@ -86,7 +86,7 @@ Result<Totals> sample(const model::Mesh& mesh, const Profile& profile, const Job
 
 constexpr double kBetweenPointsShare = 0.1;  // of a tool's job
 
-/// Tables for a tool: how far in it can stand. Line art knows that by itself, of a point as well.
+/// Tables for a tool: how far in it can go. Line art has this in itself, for a point as well.
 Result<Totals> sample_with_tool(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan,
                                 const JobOptions& options, RadiusTables& tables, OutermostRadii& outermost) {
     constexpr double kSlicingShare = 0.2;
@@ -158,7 +158,7 @@ std::string better_axis(const SliceReport& report) {
         return is_axis_worth_a_search(report) ? "; --axis-at best looks for an axis that loses less" : "";
     const slice::AxisSearch& found = *report.axis_search;
     if (found.best_loss.total() >= found.used_loss.total() - kLossWorthASearch) return "";
-    // Both as the search has looked: on fewer sections than the job, so not the figure before.
+    // Both by the search's own estimate: on fewer sections than the job, so not the figure above.
     return "; --axis-at best would lose " + percent(found.best_loss.undercut_share) + " of the surface and " +
            percent(found.best_loss.outside_share) + " of the layers, by the same look this axis " +
            percent(found.used_loss.undercut_share) + " and " + percent(found.used_loss.outside_share);
@@ -197,14 +197,14 @@ Result<void> look_between_points(const model::Mesh& mesh, const Profile& profile
     return {};
 }
 
-/// Before the heads are kept out of anything: whether the tables hold more than the core.
+/// Before anything keeps the heads out: checks that the tables hold more than the core.
 Result<void> check_meets_model(const std::string& source_name, const Profile& profile,
                                const JobOptions& options, const OutermostRadii& outermost,
                                const BuiltJob& built) {
     if (!core_share(profile, built.table).is_all()) return {};
     const auto radii = outermost.radii();
     const double most = radii.empty() ? 0.0 : *std::max_element(radii.begin(), radii.end());
-    // Far away from the axis, or too small to be met: a ring around it is seen.
+    // Far away from the axis, or too small to be met: a ring around the axis would be seen.
     if (most <= 0.0) {
         return bad_input(source_name +
                          ": the axis passes beside the model and no sample meets it: nothing but the core "
@@ -263,7 +263,7 @@ Result<BuiltJob> build(const model::Mesh& mesh, const Profile& profile, const Jo
     tables.report(profile, report);
     if (auto done = compare_axes(mesh, profile, plan, options, report); !done) return done.error();
     warn_about_losses(report);
-    // Grooves tell of it themselves.
+    // Grooves have their own report of it.
     if (!mesh.grooves) warn_about_core(profile, at_core, report);
     if (!mesh.grooves) {
         if (auto done = look_between_points(mesh, profile, plan, table, options, report); !done)

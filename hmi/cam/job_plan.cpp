@@ -86,7 +86,7 @@ Result<std::uint32_t> points_of(const JobOptions& options, const Profile& profil
     return *options.point_count;
 }
 
-/// Layers that are no higher than was asked for.
+/// As many layers as it takes for none to be higher than asked.
 Result<std::uint32_t> layers_of_height(const JobOptions& options, double height_mm, std::int64_t most,
                                        const std::string& source_name, SliceReport& report) {
     if (options.layer_count)
@@ -134,7 +134,7 @@ Result<std::vector<std::int64_t>> height_pulses(const JobPlan& plan, const Profi
         const double y_mm = profile.job.base_height_mm + (height - box.min[2]) * plan.scale;
         const std::int64_t y_pulses = pulses_from_mm(y_mm, profile.y.pulses_per_mm);
         if (y_pulses < motion.travel_min_pulses || y_pulses > motion.travel_max_pulses) {
-            // The whole model says more than the first layer that does not fit.
+            // The whole model is a better message than the first layer that does not fit.
             const double top_mm =
                 profile.job.base_height_mm + (plan.heights.back() - box.min[2]) * plan.scale;
             return too_large(source_name, "y", y_pulses < motion.travel_min_pulses ? y_mm : top_mm, motion);
@@ -182,14 +182,14 @@ Result<void> place_axis(const model::Mesh& mesh, const Profile& profile, const J
     return {};
 }
 
-/// The scale; what is to fit needs its axis before.
+/// Decides the scale; a model to be fitted needs its axis before.
 Result<void> settle_size(const model::Mesh& mesh, const Profile& profile, const JobOptions& options,
                          const Box& box, JobPlan& plan, SliceReport& report) {
     const auto scale = scale_of(options, box);
     if (!scale) return scale.error();
     plan.scale = *scale;
     if (!options.fits && !options.diameter_mm) return {};
-    // While the axis is looked for, any radius can be made to fit.
+    // During the search for the axis any radius can be made to fit.
     plan.scale = std::numeric_limits<double>::min();
     if (auto done = place_axis(mesh, profile, options, box, plan, report); !done) return done.error();
     if (options.diameter_mm) {
@@ -221,7 +221,8 @@ void warn_about_rounding(const model::Mesh& mesh, const Profile& profile, SliceR
         " mm): move it to the origin before it is exported");
 }
 
-/// Above the blank there is nothing to cut: layers go that neither tool nor half a layer reaches down from.
+/// Above the blank there is nothing to cut: drops layers that neither tool nor half a layer reaches down
+/// from.
 Result<void> leave_out_above_blank(const Profile& profile, double lowest, const std::string& source_name,
                                    JobPlan& plan, SliceReport& report) {
     const double top_mm = profile.blank.height_mm;

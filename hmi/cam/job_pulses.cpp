@@ -29,7 +29,7 @@ void add_way(PulseCounts& sum, const Place& from, const Place& to) {
         sum[axis] += static_cast<std::uint64_t>(std::abs(to[axis] - from[axis]));
 }
 
-/// Along the layer as it is carved.
+/// Pulses along the layer in its carving order.
 PulseCounts along(const JobView& job, std::uint32_t layer, std::uint32_t from_step, std::uint32_t to_step) {
     PulseCounts sum{};
     Place before = place_of(job, layer, from_step);
@@ -41,7 +41,7 @@ PulseCounts along(const JobView& job, std::uint32_t layer, std::uint32_t from_st
     return sum;
 }
 
-/// Where each head clears the blank all round.
+/// The positions at which each head clears the blank all round.
 std::array<std::int64_t, 2> clear_of_blank(const JobView& job, const Profile& profile) {
     const std::array tips_mm{profile.r1.tip_mm(), profile.r2.tip_mm()};
     std::array<AxisMotion, 2> heads{axis_motion(profile, Axis::r1), axis_motion(profile, Axis::r2)};

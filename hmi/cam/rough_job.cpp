@@ -36,7 +36,7 @@ JobOptions level_options(const BuiltJob& spiral, const JobOptions& options) {
     level.layer_count =
         (spiral.table.layer_count > 1 ? spiral.table.layer_count - 1 : 1) + spiral.report.layers_above_blank;
     level.point_count = spiral.table.point_count;
-    // Size and axis may have been looked for.
+    // Size and axis may be the result of a search.
     level.height_mm.reset();
     level.fits = false;
     level.scale = spiral.report.scale;

@@ -36,7 +36,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
 
 enum class TableKind : std::uint8_t { none, mm, pulses, exported, exported_passes };
 
-/// What a table's first line says.
+/// The content of a table's first line.
 struct TableHead {
     TableKind kind = TableKind::none;
     char separator = ',';
@@ -73,7 +73,7 @@ JobTable empty_table(const Profile& profile) {
 
 constexpr int kPlaces = 4;  // of a millimetre: a tenth of a usual pulse
 
-/// Layers lie higher than those before but where a pass begins, and where a spiral closes.
+/// Layers lie higher than those before, except where a pass begins, and where a spiral closes.
 Result<void> check_rise(const JobTable& table, bool is_exported, const std::string& path) {
     const auto& heights = table.layer_height_pulses;
     auto pass = table.passes.begin();
@@ -94,7 +94,8 @@ Result<void> check_rise(const JobTable& table, bool is_exported, const std::stri
     return {};
 }
 
-/// What check_job would refuse, said of a table, which is neither scaled nor cut into other layers.
+/// Refuses what check_job would refuse, in words for a table, which is neither scaled nor cut into other
+/// layers.
 Result<void> check_travel(const JobTable& table, const Profile& profile, bool is_exported,
                           const std::string& path) {
     const auto refused = [&](std::size_t at, Axis axis, std::int64_t pulses) {
@@ -188,7 +189,7 @@ Result<BuiltJob> full_circles(NumberLines& lines, bool is_in_mm, const Profile& 
     return built;
 }
 
-/// How far in and out the finishing pass goes.
+/// Notes how far in and out the finishing pass goes.
 void note_radii(const Profile& profile, const JobTable& table, SliceReport& report) {
     const std::size_t first = finishing_layer(table) * table.point_count;
     report.r_min_mm = std::numeric_limits<double>::max();
@@ -284,7 +285,7 @@ bool is_table_file(const std::string& path) {
     if (!file->read(0, std::span(bytes).first(count))) return false;
     const std::string_view head = NumberLines({bytes.data(), count}, path).line();
     if (head_of(head).kind != TableKind::none) return true;
-    // With a head that is wrong, it is still what its name says.
+    // Even with a wrong head, its name shows its kind.
     const std::string extension = std::filesystem::path(path).extension().string();
     return (extension == ".csv" || extension == ".CSV") &&
            head.find_first_of(",;\t") != std::string_view::npos;

@@ -35,7 +35,7 @@ public:
     ToolRound(const model::Mesh& mesh, const Profile& profile, const JobPlan& plan)
         : mesh_(mesh), profile_(profile), plan_(plan), tool_(tool::tool_of(profile.tool, 1.0 / plan.scale)) {}
 
-    /// `fill` takes a layer and its radii once round.
+    /// `fill` gets a layer and its radii once round.
     template <typename Fill>
     Result<void> go(double angle_error_deg, double height_error, const slice::SliceOptions& options,
                     const Fill& fill) const {

@@ -21,7 +21,7 @@ Result<int> back_off(const CommonOptions& common, const std::string& axis_name) 
     const auto after =
         run_motion(*link, {CommandKind::back_off, axis_from_name(axis_name), {MachineState::alarm}});
     if (!after) return after.error();
-    // It begins and ends in alarm; a new alarm on the way means that it did not work.
+    // It begins and ends in alarm; a new alarm on the way means that it failed.
     if (after->alarm_count > before->alarm_count) return machine::alarm_error(*after);
     report_motion(common, kBackOffText.name, *after);
     return kExitDone;

@@ -28,7 +28,7 @@ Result<std::string> ask(const std::string& question) {
     return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// A number, asked for until it is one; nothing for an empty line.
+/// Asks until the answer is a number; nothing for an empty line.
 Result<Answer> ask_number(const std::string& question) {
     for (;;) {
         const auto line = ask(question);
@@ -40,7 +40,7 @@ Result<Answer> ask_number(const std::string& question) {
     }
 }
 
-/// Until the measurement is possible, or is left out. `measure` says whether there was one.
+/// Repeats until the measurement is possible, or is left out. `measure` returns whether there was one.
 Result<void> until_possible(const std::function<Result<void>()>& measure) {
     for (;;) {
         const auto done = measure();
@@ -94,7 +94,7 @@ Result<CalibrationAnswers> ask_wear(const std::string& name) {
     return answers;
 }
 
-/// What is to be done first.
+/// The steps before the measurement.
 std::string introduction(CalibrationStep step, const std::string& name) {
     switch (step) {
         case CalibrationStep::touch_off_r1:

@@ -35,7 +35,7 @@ constexpr CommandText kCarveText{
 
 struct CarveOptions {
     std::vector<std::string> paths;
-    std::string path;  ///< of these the one that is carved
+    std::string path;  ///< the one of these that is carved
     bool unattended = false;
     std::string picture;
     std::string trace;
@@ -45,7 +45,7 @@ struct CarveOptions {
     bool no_deviation = false;
 };
 
-/// The segment, if a core serves it. A segment that is not ours to use is an error, none at all is not.
+/// The segment, if a core serves it. A segment that we may not use is an error, none at all is not.
 Result<std::optional<machine::MachineLink>> running_core(const CommonOptions& common) {
     auto link = machine::MachineLink::attach(common.segment, common.group);
     if (!link && link.error().code == ErrorCode::no_core) return std::optional<machine::MachineLink>{};
@@ -83,8 +83,8 @@ Result<int> carve_unseen(machine::MachineLink& link, const PreparedJob& job, con
 }
 
 /// The piece to carve beside the run, compared with the model wherever there is one. An ideal point leaves
-/// the table's own surface, and a core that does not wait for us is not held up by a figure: there the piece
-/// is told of when it is asked for.
+/// the table's own surface, and a figure must not hold up a core that does not wait for us: in these cases
+/// the piece is calculated only on request.
 Result<std::unique_ptr<CarvedPiece>> piece_beside(const PreparedJob& job, const CarveOptions& options,
                                                   bool waits_for_us) {
     auto model = job.mesh;
@@ -97,7 +97,7 @@ Result<std::unique_ptr<CarvedPiece>> piece_beside(const PreparedJob& job, const 
     }
     auto made = CarvedPiece::make(job, std::move(model), options.files);
     if (made || is_asked_for) return made;
-    // What nobody asked for keeps no job from being carved.
+    // A comparison that was not asked for does not keep a job from being carved.
     print_warning("the piece is not compared with the model: " + made.error().message);
     return std::unique_ptr<CarvedPiece>{};
 }
@@ -147,9 +147,9 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     launch.segment_name = common.segment;
     launch.group = common.group;
     launch.on_real_clock = options.real_time;
-    // As fast as it goes: what is done tells how long the rest takes.
+    // It runs as fast as possible: the part that is done predicts the rest.
     launch.no_estimate = !options.real_time;
-    // What a wall clock drives is a machine at work: that goes on without us.
+    // A core on the real clock is a machine at work: it goes on without us.
     launch.outlives_us = options.real_time;
     launch.capacity_layers = std::max(launch.capacity_layers, job->view.layer_count());
     launch.capacity_points = std::max(launch.capacity_points, job->view.point_count());
@@ -162,8 +162,8 @@ Result<int> carve(const CommonOptions& common, const CarveOptions& options) {
     return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json, &*piece});
 }
 
-/// All are looked at before the first is carved: what is wrong with the last is not told hours later. What
-/// there is to say of one is said when it is carved.
+/// Checks all before the first is carved, so that a fault in the last is not reported hours later. Warnings
+/// about a job come when it is carved.
 Result<void> check_queue(const CommonOptions& common, const CarveOptions& options) {
     if (options.paths.size() == 1) {
         if (!options.unattended) return {};

@@ -20,7 +20,7 @@ std::string names_from(const std::vector<std::string>& paths, std::size_t first)
     return names;
 }
 
-/// The next line from the terminal, of which nothing is held back for later.
+/// The next line from the terminal; keeps nothing back for later.
 std::string typed_line() {
     std::string line;
     for (char letter = 0;;) {
@@ -32,7 +32,7 @@ std::string typed_line() {
     }
 }
 
-/// Whether the next blank is in. Nothing but yes is yes, and nothing that was typed before the question.
+/// Whether the next blank is in. Only yes counts, and nothing that was typed before the question.
 bool is_next_blank_in(const std::vector<std::string>& paths, std::size_t next) {
     print_note(std::to_string(next) + " of " + std::to_string(paths.size()) + " carved: " + paths[next - 1] +
                ". The heads stand outside and the spindle is off. Take it out, put the next blank in.");
@@ -57,7 +57,7 @@ Result<int> carve_in_turn(const std::vector<std::string>& paths, bool unattended
             return Error{ErrorCode::cancelled, "not carved, as was answered: " + names_from(paths, i)};
         const auto carved = carve_one(paths[i]);
         const bool is_last = i + 1 == paths.size();
-        // A break that came too late for a workpiece is of those behind it.
+        // A break that came too late for a workpiece counts for those behind it.
         const bool was_broken = OperatorBreak::asked_ever() != breaks_before;
         const bool is_done = carved && *carved == kExitDone;
         if (is_done && (is_last || !was_broken)) continue;

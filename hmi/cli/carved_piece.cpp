@@ -16,7 +16,7 @@
 namespace psicarve::cli {
 namespace {
 
-// Cells once round: enough for a mesh to be looked at, and for figures.
+// Cells once round: enough for a mesh to look at, and for figures.
 constexpr std::size_t kMeshColumns = 1440;
 constexpr std::size_t kFigureColumns = 720;
 

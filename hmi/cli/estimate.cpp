@@ -46,7 +46,7 @@ struct Estimate {
     cam::PulseCounts pulses{};
     double removed_mm3 = 0.0;
 
-    /// Whatever is more than straight ways at full speed: acceleration, and links between layers.
+    /// The time beyond straight ways at full speed: acceleration, and links between layers.
     double changes_seconds() const { return std::max(0.0, planned.carve_seconds - least.total()); }
     double share(double seconds) const {
         return planned.carve_seconds > 0.0 ? std::min(1.0, seconds / planned.carve_seconds) : 0.0;

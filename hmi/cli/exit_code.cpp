@@ -12,7 +12,7 @@
 namespace psicarve::cli {
 namespace {
 
-/// What came by standard input is called so, wherever it is read.
+/// Names standard input so, wherever it is read.
 std::string in_words(std::string text) {
     for (std::size_t at = text.find(model::kDescriptorFolder); at != std::string::npos;
          at = text.find(model::kDescriptorFolder, at)) {

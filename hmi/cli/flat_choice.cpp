@@ -38,7 +38,7 @@ void add_flat_options(Syntax& syntax, FlatChoice& choice) {
 
 namespace {
 
-/// Of those that are for pictures alone.
+/// Whether an option for pictures alone is given.
 bool has_any_of_pictures(const FlatChoice& choice) {
     return choice.is_relief || choice.is_inverted || choice.depth_mm || choice.white_depth_mm ||
            choice.gamma || choice.smooth_mm || !choice.seam.empty();
@@ -81,7 +81,7 @@ bool has_any(const FlatChoice& choice) {
 Result<flat::FlatOptions> flat_options(const FlatChoice& choice, flat::ModelKind kind, const Profile& profile,
                                        const std::string& path) {
     if (auto good = check_kind(choice, kind, path); !good) {
-        // What is taken for a mesh may be nothing that is read at all.
+        // A file that counts as a mesh may be of no kind that is read.
         const auto known = kind == flat::ModelKind::mesh ? model::check_is_mesh(path) : Result<void>{};
         return known ? good.error() : known.error();
     }

@@ -34,7 +34,7 @@ struct GcodeCheckOptions {
 
 constexpr std::size_t kCanonPieceBytes = std::size_t{1} << 16U;
 
-/// Motion to standard output and to the machine's check, as far as either is wanted.
+/// Sends motion to standard output and to the machine's check, as asked for.
 class CheckedMotion : public gcode::CanonSink {
 public:
     CheckedMotion(gcode::MachineCheck* machine, bool prints) : machine_(machine), prints_(prints) {}
@@ -100,7 +100,7 @@ void print_problems(const std::string& path, const gcode::ProblemList& problems)
         print_error(bad_input(path + ": and " + count_text(more, "error") + " more"));
 }
 
-/// As its user calls it.
+/// The program's name as its user knows it.
 std::string program_name(const std::string& path) {
     return path.starts_with(model::kDescriptorFolder) ? model::source_name_of(path) : path;
 }

@@ -21,7 +21,7 @@ Result<int> home(const CommonOptions& common, const std::vector<std::string>& na
         if (!axis) return Error{ErrorCode::bad_usage, "home: '" + name + "' is no axis; r1, r2, psi or y"};
         command.details.axis |= 1U << index_of(*axis);
     }
-    // Some alone may leave others that are not homed.
+    // Homing some alone may leave others that are not homed.
     if (!names.empty()) command.wanted.push_back(MachineState::off);
     auto link = link_to_core(common);
     if (!link) return link.error();

@@ -81,7 +81,7 @@ bool has_any(const ModelOptions& options) {
            options.height_mm || options.scale || has_any(options.flat);
 }
 
-/// Asked for as the profile does, but for what the options say.
+/// The roughing of the profile, changed by the options.
 Result<void> read_roughing(const ModelOptions& options, Profile& profile) {
     RoughingProfile& roughing = profile.roughing;
     const bool has_details = options.allowance_mm || options.stepover_mm;
@@ -104,7 +104,7 @@ Result<void> read_roughing(const ModelOptions& options, Profile& profile) {
     return rough::check_options(*wanted, profile);
 }
 
-/// Of the machine, with the tool, the blank and the roughing that the options name.
+/// The machine's profile, with the tool, the blank and the roughing that the options name.
 Result<Profile> profile_for(const ModelOptions& options, const CommonOptions& common) {
     auto profile = chosen_profile(common);
     if (!profile) return profile;
@@ -125,7 +125,7 @@ Result<PreparedJob> prepared(cam::BuiltJob built, const Profile& profile, const 
     return job;
 }
 
-/// A table of radii is a job but for the machine.
+/// A table of radii is a job except for the machine.
 Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, const Profile& profile) {
     const auto joining = joining_from_name(std::exchange(options.joining, {}));
     options.thread_count = 0;
@@ -153,10 +153,10 @@ Result<PreparedJob> job_of_table(const std::string& path, ModelOptions options, 
     return prepared(std::move(*built), profile, path);
 }
 
-/// The body, turned, and what is left to be said of its size.
+/// The body, turned; leaves in `how` the rest about its size.
 Result<std::shared_ptr<const model::Mesh>> body_of(const std::string& path, const ModelOptions& options,
                                                    const Profile& profile, cam::JobOptions& how) {
-    // A drawing is made as large as it is asked for when it becomes a body; then it stays so.
+    // A drawing gets its size when it becomes a body, and keeps it.
     const flat::ModelKind kind = flat::kind_of_model(path);
     if (kind == flat::ModelKind::mesh && options.height_mm && options.scale) {
         return Error{ErrorCode::bad_usage, "--height excludes --scale: both set the size of a mesh"};
@@ -169,8 +169,8 @@ Result<std::shared_ptr<const model::Mesh>> body_of(const std::string& path, cons
                      "--fit and --scale are not for pictures: --diameter says how large a cylinder is"};
     }
     FlatChoice choice = options.flat;
-    // Of what is carved from its outside in, the size; of a picture or lines, of the cylinder that they are
-    // on.
+    // For a model carved from its outside in, the size; for a picture or lines, that of the cylinder that
+    // they are on.
     const bool is_body =
         kind == flat::ModelKind::mesh || (kind == flat::ModelKind::drawing && !choice.engrave_mm);
     if (is_body) how.diameter_mm = std::exchange(choice.diameter_mm, std::nullopt);
@@ -383,7 +383,7 @@ Result<void> check_output_folder(const std::string& path) {
     std::error_code error;
     if (fs::is_directory(path, error)) return bad_input(path + ": is a folder, not a file to write");
     if (!fs::exists(path, error) || fs::is_regular_file(path, error)) return check_writable(path);
-    // A pipe or a device is written as it stands, whatever its folder is.
+    // A pipe or a device is written directly, whatever its folder is.
     if (access(path.c_str(), W_OK) == 0) return {};
     return bad_input(path + ": cannot be written: " + std::strerror(errno));
 }

@@ -40,7 +40,7 @@ Result<machine::HeldJog> begin_jog(machine::MachineLink& link, const JogOptions&
     return machine::HeldJog::by(link, axis, distance, speed, lease);
 }
 
-/// How a jog that is over went; only the first two are what was asked for.
+/// Judges how a jog ended; only the first two ends are what was asked for.
 Result<void> judge_end(const CoreStatus& status, bool may_be_released) {
     if (status.move_end == MoveEnd::reached) return {};
     if (status.move_end == MoveEnd::released && may_be_released) return {};

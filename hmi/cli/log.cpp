@@ -82,7 +82,7 @@ void drop_others(std::vector<LogEntry>& entries, const LogFilter& filter) {
     std::erase_if(entries, [&](const LogEntry& entry) { return !filter.takes(entry); });
 }
 
-/// What is not shown, on standard error, whenever there is more of it.
+/// Counts and reports on standard error what is not shown, whenever there is more of it.
 class LogWarnings {
 public:
     void tell(LogSources& sources) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::seconds kFirstPatience{5};
 
-/// Those of one journal stay in their order, whatever its clock did.
+/// Records of one journal keep their order, whatever its clock did.
 void merge_by_time(std::vector<LogEntry>& all, std::vector<LogEntry> more) {
     std::vector<LogEntry> merged;
     merged.reserve(all.size() + more.size());

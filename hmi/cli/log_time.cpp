@@ -32,7 +32,7 @@ std::optional<std::int64_t> duration_s(std::string_view text) noexcept {
     return count * *unit;
 }
 
-/// Whether the whole text is of this form; strptime alone takes the 31st of February for a day.
+/// Whether the whole text has this form; strptime alone accepts the 31st of February.
 bool is_of_form(const std::string& text, const char* format, std::tm& fields) {
     const char* const end = strptime(text.c_str(), format, &fields);
     return end != nullptr && *end == '\0';
@@ -50,11 +50,11 @@ std::optional<std::int64_t> seconds_of(const std::tm& fields, bool is_utc) {
     return std::int64_t{seconds};
 }
 
-/// Of this time of day the last that has been: later than now is yesterday's.
+/// The last moment with this time of day: one later than now is yesterday's.
 std::optional<std::int64_t> last_moment_s(std::tm fields, bool is_utc, std::int64_t now_s) {
     const auto today = seconds_of(fields, is_utc);
     if (!today || *today <= now_s) return today;
-    // By noon: the same time of day, also where the clock was changed in between.
+    // At noon: the same time of day, also where the clock was changed in between.
     std::tm noon = fields;
     noon.tm_mday -= 1;
     noon.tm_hour = 12;

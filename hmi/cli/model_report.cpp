@@ -61,7 +61,7 @@ std::string flaws_text(const model::MeshFacts& facts, const model::MeshParts& pa
     return text.empty() ? "closed, all facets turned alike" : text;
 }
 
-/// Of an open surface nobody knows what is inside.
+/// An open surface has no volume.
 std::optional<double> volume_mm3(const model::MeshFacts& facts, double scale) {
     if (!facts.closed || !facts.same_orientation) return std::nullopt;
     return std::abs(facts.signed_volume) * scale * scale * scale;
@@ -95,7 +95,7 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
     lines.insert(lines.end(), more.begin(), more.end());
 }
 
-/// What the tool leaves because it does not fit.
+/// The material that the tool leaves because it does not fit.
 Json unreached_json(const piece::PieceDeviation& deviation) {
     return {
         {"over_mm", report::kUnreached_mm},
@@ -178,7 +178,7 @@ std::vector<std::string> ModelReport::lines() const {
     lines.push_back(
         line_of("job        %u layers x %u points", job_->view.layer_count(), job_->view.point_count()));
     append(lines, blank_lines(job_->profile.blank));
-    if (slicer.contains("undercut_share")) {  // a table knows of no walls
+    if (slicer.contains("undercut_share")) {  // a table has no walls
         lines.push_back(
             line_of("hidden     %.2f %% of the surface", 100.0 * slicer.value("undercut_share", 0.0)) +
             heights_text(slicer, "undercut_heights_mm"));

@@ -25,7 +25,7 @@ struct MoveOptions {
     bool clockwise = false;
 };
 
-/// AXIS=POSITION words into `position`; the axes that were given, bit by axis.
+/// Reads AXIS=POSITION words into `position`; returns the given axes, bit by axis.
 Result<std::uint32_t> read_positions(const std::vector<std::string>& words, double (&position)[kAxisCount]) {
     std::uint32_t axes = 0;
     for (const std::string& word : words) {

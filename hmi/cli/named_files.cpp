@@ -28,11 +28,11 @@ void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
     const std::string standard_input = std::string{model::kDescriptorFolder} + "0";
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
-        // What `snapshot save FILE` names is made by it.
+        // `snapshot save FILE` makes the file that it names.
         const bool is_saved = app.get_name() == "save" && name == "FILE";
         const bool is_written = is_saved || is_among(kWritten, name);
         if (!is_written && !is_among(kRead, name)) continue;
-        // Standard input may well be a file.
+        // Standard input may be a file.
         const bool may_be_standard = reads_standard_input(*option);
         for (const std::string& path : option->results())
             files.push_back({name, may_be_standard && path == "-" ? standard_input : path, is_written});

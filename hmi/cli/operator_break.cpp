@@ -11,7 +11,7 @@ namespace {
 constexpr int kStop = 1;
 constexpr int kEmergencyStop = 2;
 
-// A signal handler can reach nothing else.
+// A signal handler can use nothing else.
 std::atomic<int> break_count{0};
 std::atomic<unsigned> breaks_ever{0};  ///< of all waits together
 std::atomic<bool> third_ends_us{false};
@@ -24,7 +24,7 @@ extern "C" void count_break(int number) {
     breaks_ever.fetch_add(1, std::memory_order_relaxed);
     const int count = break_count.fetch_add(1, std::memory_order_relaxed) + 1;
     if (count <= kEmergencyStop || !third_ends_us.load()) return;
-    // As if there were no handler of ours; delivered as soon as this one returns.
+    // Restores the old handler; the signal is delivered as soon as this one returns.
     sigaction(number, number == SIGINT ? &interrupt_before : &terminate_before, nullptr);
     raise(number);
 }
@@ -48,7 +48,7 @@ OperatorBreak::OperatorBreak() {
 }
 
 OperatorBreak::~OperatorBreak() {
-    // Whoever was asked ends the program now: a second one on the way out must not change how it ends.
+    // The program ends on request now: a further signal on the way out must not change how it ends.
     if (was_asked()) {
         third_ends_us = true;
         return;

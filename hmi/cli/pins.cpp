@@ -90,7 +90,7 @@ std::string levels_json(const Rows& rows, const CoreStatus& status) {
            "\n";
 }
 
-/// How a test that is over went.
+/// Judges how a test ended.
 Result<void> judge_test(const CoreStatus& status, bool was_asked) {
     if (was_asked || status.move_end == MoveEnd::reached) return {};
     const bool is_lease_gone = status.move_end == MoveEnd::lease_gone;

@@ -33,7 +33,7 @@ struct SetOptions {
     std::vector<std::string> words;
 };
 
-/// The key, or what was meant, of the same table.
+/// The key, or an error with the likely one of the same table.
 Result<std::size_t> key_of(const std::string& path) {
     const auto& keys = profile_keys();
     const auto found = std::ranges::find(keys, path, &ProfileKey::path);
@@ -49,7 +49,7 @@ Result<std::size_t> key_of(const std::string& path) {
                      (meant ? "did you mean " + prefix + *meant + "?" : "see profile show for all keys")};
 }
 
-/// Quotes and brackets as a file has them may stand, and need not.
+/// Quotes and brackets as in a file are allowed, and not required.
 std::string as_typed(const ProfileKey& key, std::string value) {
     if (key.value == ProfileValue::range) {
         std::erase_if(value, [](char c) { return c == '[' || c == ']'; });

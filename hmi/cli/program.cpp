@@ -71,7 +71,7 @@ void add_all_commands(CommandSet& commands) {
     add_completion(commands);
 }
 
-/// The parser with all commands. Nothing of it moves.
+/// The parser with all commands. Not movable: commands refer to its members.
 struct Grammar {
     Grammar() {
         program.require_subcommand(1);
@@ -116,7 +116,7 @@ std::vector<std::string> command_names(CLI::App& app) {
     return names;
 }
 
-/// What is wrong with a word that no command or option knows.
+/// The error for a word that no command or option knows.
 std::string unknown_word(CLI::App& app, const std::string& word) {
     const bool is_option = word.size() > 1 && word.front() == '-';
     const bool wants_command = !app.get_subcommands({}).empty();
@@ -139,7 +139,7 @@ std::string usage_error(CLI::App& program, const CLI::ParseError& error) {
     CLI::App& app = typed_command(program);
     const std::vector<std::string> unknown = program.remaining(true);
     const auto is_option = [](const std::string& word) { return word.size() > 1 && word.front() == '-'; };
-    // A mistyped option explains more than what is then missing or left over.
+    // A mistyped option explains more than the words that are missing or left over because of it.
     auto culprit = std::find_if(unknown.begin(), unknown.end(), is_option);
     if (culprit == unknown.end()) culprit = unknown.begin();
     const std::string text = culprit == unknown.end() ? error.what() : unknown_word(app, *culprit);
@@ -164,8 +164,8 @@ int print_what_was_asked(const CLI::App& program, const CLI::Success& success) {
     return finish(kExitDone, false);
 }
 
-/// A profile that was named and is wrong is never passed over, not even where a command has no use for it.
-/// But no machine goes on running for it, and the command that mends it reads it in its own way.
+/// A named profile that is wrong is never ignored, not even where a command does not use it. But a stop must
+/// work without it, and the command that mends it reads it in its own way.
 Result<void> check_named_profile(const CLI::App& command, const CommonOptions& common) {
     const std::string name = full_name(command);
     if (common.profile.empty() || name == "psicarve profile set") return {};

@@ -19,7 +19,7 @@ constexpr int kDefaultColumns = 80;
 constexpr double kSecondsBeforeGuess = 0.5;
 constexpr const char* kClearLine = "\r\033[K";
 
-// The one line at the bottom of one terminal: whoever writes to standard error must know whether it is there.
+// The one line at the bottom of one terminal: all writers to standard error must know whether it is there.
 std::atomic<bool> line_is_drawn{false};
 
 int terminal_columns() {

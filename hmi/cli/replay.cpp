@@ -44,7 +44,7 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     if (!job) return job.error();
     for (const std::string& warning : job->warnings) print_warning(warning);
     machine::CoreLaunch launch;
-    // Private: whatever runs on the named segment is not disturbed.
+    // Private: a core on the named segment is not disturbed.
     machine::remove_stale_private_segments();
     launch.segment_name = machine::private_segment_name();
     launch.is_private = true;

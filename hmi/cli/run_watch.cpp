@@ -23,7 +23,7 @@ Result<void> RunWatch::look(const CoreStatus& status) {
     if (status.points_total > 0) {
         const double done_ratio =
             static_cast<double>(status.points_done) / static_cast<double>(status.points_total);
-        // On the virtual clock machine time says nothing about how long we wait.
+        // On the virtual clock machine time does not predict our waiting.
         const bool is_told = status.is_virtual_clock == 0 && status.seconds_left >= 0.0;
         const bool has_passes = job_->passes().size() > 1 && status.layer < job_->layer_count();
         const std::string pass =

@@ -28,7 +28,7 @@ machine::JobRun watched_run(machine::VerifiedCore& core, const JobView& job, con
     return run;
 }
 
-/// Who has stopped the run may want an emergency stop while the core ends and its trace is read to the end.
+/// An operator who has stopped the run may need an emergency stop while the core ends and its trace is read.
 Result<verify::VerifyReport> finish(machine::VerifiedCore& core, const machine::JobRun& run,
                                     OperatorBreak& operator_break, RunReport& report) {
     const bool was_stopped = operator_break.was_asked() && run.failure;
@@ -38,8 +38,8 @@ Result<verify::VerifyReport> finish(machine::VerifiedCore& core, const machine::
     return verified;
 }
 
-/// What the core said while it ran: warnings, and traces that could not be written. The first of these is the
-/// run's failure, and said as such.
+/// The core's messages during the run: warnings, and traces that could not be written. The first of these is
+/// the run's failure, and reported as such.
 void pass_on_messages(const std::string& said, const std::vector<std::string>& trace_paths,
                       RunReport& report) {
     std::istringstream lines{said};
@@ -61,7 +61,7 @@ void pass_on_messages(const std::string& said, const std::vector<std::string>& t
 Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, const SimulatedRun& what) {
     const std::vector<std::string> trace_paths = launch.trace_paths;
     OperatorBreak operator_break;
-    // By the wall clock the pins may be too fast for this computer.
+    // On the real clock the pins may be too fast for this computer.
     const bool must_be_verified = !launch.on_real_clock;
     auto core = machine::VerifiedCore::start(
         std::move(launch), job.view, job.profile,

@@ -74,7 +74,7 @@ std::string report_json(const PreparedJob& job, const std::string& output, const
 }
 
 Result<int> slice(const CommonOptions& common, const SliceOptions& options) {
-    // A job takes the place of a file, and a pipe or a device has none to give.
+    // A job replaces a file, which a pipe or a device is not.
     if (!is_standard_output(options.output)) {
         if (const auto writable = check_writable(options.output); !writable) return writable.error();
     }
@@ -96,7 +96,7 @@ Result<int> slice(const CommonOptions& common, const SliceOptions& options) {
         if (!found) return found.error();
         planned = std::move(*found);
     }
-    // A job file is a snapshot without a status. The blob moves, the view's pointers into it stay good.
+    // A job file is a snapshot without a status. The blob moves, the view's pointers into it stay valid.
     Snapshot file;
     file.job_blob = std::move(job->blob);
     const std::string report =

@@ -38,7 +38,7 @@ struct SnapshotInfoOptions {
     bool wants_time = false;
 };
 
-/// The job and what was worked out of it.
+/// The job and the values calculated from it.
 struct InfoJob {
     JobView view;  ///< into the snapshot
     Result<Profile> profile;
@@ -140,7 +140,7 @@ void print_info(const Snapshot& snapshot, const std::optional<InfoJob>& job, std
         std::printf("no job\n");
     }
     if (snapshot.status) {
-        // A core takes no job of a machine that counts otherwise.
+        // A core accepts no job of a machine with other counts.
         const bool is_jobs_machine = job && job->profile && snapshot.status->points_total > 0 &&
                                      snapshot.status->job_generation == snapshot.generation;
         std::printf("\ngeneration %llu of a segment for %u x %u\n%s",
@@ -168,7 +168,7 @@ Result<std::optional<InfoJob>> shown_job(const Snapshot& snapshot, const CommonO
     if (!view) return bad_input(options.path + ": " + view.error().message);
     InfoJob shown{*view, job_profile(*view), {}};
     if (options.picture.empty() && !options.wants_time) return std::optional{std::move(shown)};
-    // These two ask for a job that a machine can carve; the words do not.
+    // These two need a job that a machine can carve; the text does not.
     const auto job = job_of_snapshot(snapshot, options.path, common);
     if (!job) return job.error();
     if (options.wants_time) {

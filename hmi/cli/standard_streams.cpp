@@ -18,7 +18,7 @@ Error wrong_input(const char* what) {
     return bad_input(std::string{"standard input: "} + what + ": " + std::strerror(errno));
 }
 
-/// As much as the largest table that is read; a computer that carves has to have room for it.
+/// As much as the largest table that is read; a computer that carves must have room for it.
 constexpr std::uint64_t kMostInputBytes = std::uint64_t{1} << 30U;
 
 bool write_whole(int descriptor, const char* bytes, std::size_t count) {
@@ -54,7 +54,7 @@ Result<std::string> file_of_standard_input() {
         close(memory);
         return error;
     }
-    // Open until the program ends: the name leads to it.
+    // Stays open until the program ends: the name leads to it.
     return std::string{model::kDescriptorFolder} + std::to_string(memory);
 }
 

@@ -34,11 +34,12 @@ struct StartOptions {
     std::string state_folder;
 };
 
-/// Nothing was carved since: who goes on by it is to see that it is this piece, and not one of last month.
+/// Nothing was carved since: the operator must see that the record is of this piece, and not of one of last
+/// month.
 void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
     const auto checkpoint = link.checkpoint();
     if (!checkpoint || !checkpoint->is_from_disk()) return;
-    // The run before's end is a disk's word, too.
+    // The end of the run before comes from a disk, too.
     const bool is_by_it =
         options.resume || (options.from_layer != 0 && options.from_layer == checkpoint->earlier_layer);
     if (!is_by_it || options.dry_run) return;
@@ -47,7 +48,7 @@ void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
                                   link.segment().core_keeping(), kDiskPatience);
     const std::string unknown = "where the piece goes on is known from a disk that ";
     if (look.is_silent()) return print_warning(unknown + "does not answer now: of when is not known");
-    // Another core's record tells nothing of this one's piece.
+    // Another core's record says nothing about this one's piece.
     if (!found || found->keeper == Keeper::other_core)
         return print_warning(unknown + "was not looked at, or tells of none by now: of when is not known");
     if (!is_same_place(found->saved.checkpoint, *checkpoint))

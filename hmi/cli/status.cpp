@@ -43,14 +43,14 @@ struct StatusOptions {
     std::string state_folder;
 };
 
-/// The core's profile, when the one that we have is the same: only then are its mm and degrees ours.
+/// The core's profile, when the one that we have is the same: only then mm and degrees are valid.
 std::optional<Profile> known_profile(machine::MachineLink& link, const std::optional<Profile>& chosen) {
     if (!chosen || link.segment().header().core_profile_hash.load() != profile_hash(*chosen))
         return std::nullopt;
     return chosen;
 }
 
-/// In which pass a running job is, where it has several.
+/// The current pass of a running job, if it has several.
 class RunningPass {
 public:
     std::string name(machine::MachineLink& link, const CoreStatus& status) {
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    /// Copies the whole job, but once: as long as it runs nobody publishes another.
+    /// Copies the whole job, but once: as long as it runs no other can be published.
     void look(machine::MachineLink& link, std::uint64_t generation) {
         generation_ = generation;
         passes_.clear();
@@ -74,7 +74,7 @@ private:
 
     static constexpr std::chrono::milliseconds kCopyLimit{500};
     std::uint64_t generation_ = 0;
-    std::vector<JobPass> passes_;  ///< none: the job has but one
+    std::vector<JobPass> passes_;  ///< empty: the job has but one
 };
 
 std::string head_line(const machine::MachineLink& link) {
@@ -82,19 +82,19 @@ std::string head_line(const machine::MachineLink& link) {
            "\n";
 }
 
-/// What the disk of a living core tells is false, or may be.
+/// Whether the disk's record of a living core is false, or may be.
 bool is_disk_refusing(const machine::MachineLink& link) {
     return link.segment().core_keeping().how == CoreKeeping::How::refused;
 }
 
-/// A piece that was begun before this core was there, while it has no other to do.
+/// A piece that was begun before this core, while this core has no other.
 struct Unfinished {
     std::optional<FoundCheckpoint> found;
     WayBack way;
-    bool is_silent = false;  ///< the disk: nobody knows
+    bool is_silent = false;  ///< the disk does not answer: not known
 };
 
-/// Looked for without ever waiting for a disk that hangs.
+/// Searches without ever waiting for a disk that hangs.
 class UnfinishedPieces {
 public:
     explicit UnfinishedPieces(const std::string& folder) : folder_(folder), look_(folder) {}
@@ -117,7 +117,7 @@ public:
     Unfinished without_core(const machine::MachineLink* link, const std::string& segment) {
         Unfinished unfinished;
         unfinished.way.segment = segment;
-        look_ = UnfinishedLook{folder_};  // what was seen while the core lived is past
+        look_ = UnfinishedLook{folder_};  // the result from the core's lifetime is old
         unfinished.found = look_.look(segment, {}, {}, kDiskPatience);
         unfinished.is_silent = look_.is_silent();
         unfinished.way.is_published = link != nullptr && unfinished.found &&
@@ -146,10 +146,10 @@ void put_into(nlohmann::ordered_json& object, const Unfinished& unfinished) {
     if (unfinished.is_silent) object["is_disk_silent"] = true;
 }
 
-/// There is no core: that first, and what it left unfinished.
+/// Reports first that there is no core, then the piece that it left unfinished.
 Result<int> tell_without_core(const CommonOptions& common, const machine::MachineLink* link, Error error,
                               UnfinishedPieces& pieces) {
-    // One that is silent is there all the same.
+    // A silent core exists all the same.
     const bool is_gone = error.code == ErrorCode::no_core && (link == nullptr || !link->core_pid());
     if (!is_gone) return error;
     if (common.json) {
@@ -183,7 +183,7 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     return text_of(object) + "\n";
 }
 
-/// What the dead core left behind is worth a line: where the machine was.
+/// Adds a line about the state that the dead core left behind.
 Error with_last_state(machine::MachineLink& link, Error error) {
     const auto last = link.last_status();
     if (!last || link.core_pid()) return error;
@@ -207,7 +207,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         if (!status) return with_last_state(*link, status.error());
         const std::string pass = running.name(*link, *status);
         const auto profile = known_profile(*link, *chosen);
-        // What is shown again soon waits for no disk, but once.
+        // A view that is refreshed soon does not wait for a disk, except once.
         const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
         if (common.json)
             return json_line(*link, *status, pass, profile, pieces.beside(*link, *status, patience));
@@ -222,7 +222,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
                 "mind       the disk does not take how far the piece has come: if the power fails, do not go "
                 "on by it\n";
         if (!options.watch) {
-            // The machine first: its disk may hang.
+            // The machine's status first: its disk may hang.
             std::fputs(std::exchange(text, {}).c_str(), stdout);
             if (const auto flushed = flush_output(); !flushed) return flushed.error();
         }

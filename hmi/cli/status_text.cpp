@@ -63,7 +63,7 @@ std::string progress_text(const CoreStatus& status, const std::string& pass) {
     return text;
 }
 
-/// How the tick's thread is treated, and what to do about what was refused; empty on the virtual clock.
+/// How the tick's thread is set up, and the remedies for refused steps; empty on the virtual clock.
 std::string realtime_text(const CoreStatus& status) {
     if (status.realtime_asked == 0) return {};
     std::string text = "real time  ";
@@ -93,7 +93,7 @@ std::string outputs_text(const CoreStatus& status) {
            drives + "; spindle last " + (is_spindle_on ? "on" : "off") + "; the core goes on trying\n";
 }
 
-/// Of the alarm that is latched, when it is of steps.
+/// For a latched alarm about lost steps.
 std::string latched_lost_text(const CoreStatus& status, const Profile* profile) {
     const auto alarms = report::alarms_of(status);
     if (alarms.empty() || status.alarm_cause != AlarmCause::steps_lost) return {};

@@ -55,7 +55,7 @@ std::string text_of(const verify::VerifyReport& report, const std::unique_ptr<Ca
            std::to_string(std::llround(piece->removed_mm3())) + " mm3 taken off";
 }
 
-/// The file that is named, if the trace may be of it; else the trace's own.
+/// The named file's job, if the trace may be of it; else the trace's own.
 Result<Snapshot> load_job_of(const VerifyOptions& options) {
     if (options.job == options.trace && is_snapshot_file(options.job)) {
         return Error{ErrorCode::bad_usage, options.job + " is a job; name its trace, too: psicarve verify " +
@@ -75,7 +75,7 @@ Result<PreparedJob> job_of_trace(const CommonOptions& common, const VerifyOption
     return job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
 }
 
-/// A core's own trace may be of several jobs, and then nobody says which is meant.
+/// A core's own trace may hold several jobs, and then the command line must say which.
 Result<void> check_has_one_job(const VerifyOptions& options, const verify::TraceReader& trace) {
     if (options.job != options.trace || trace.jobs_begun() <= 1) return {};
     return bad_input(options.trace +

@@ -17,7 +17,7 @@ namespace {
 
 constexpr timespec kPeriod{0, 200'000'000};
 
-/// Ctrl-C and SIGTERM wait in line while this lives, to be asked for.
+/// Holds Ctrl-C and SIGTERM back while this lives, to be asked for.
 class HeldSignals {
 public:
     HeldSignals() {
@@ -38,7 +38,7 @@ private:
     sigset_t before_{};
 };
 
-/// Over what was drawn before: up by its lines, then each line to its end.
+/// Draws over the previous text: up by its lines, then each line to its end.
 void draw_in_place(const std::string& text, std::size_t& lines_drawn) {
     std::string screen;
     if (lines_drawn > 0) screen = "\033[" + std::to_string(lines_drawn) + "A";

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kUnknownHolder = "another program";
 
-/// Whether anybody has a lock on the base's bytes of the device; nothing: this user is not let at it.
+/// Whether a process has a lock on the base's bytes of the device; nothing: this user may not open it.
 std::optional<bool> is_range_locked(const std::string& device, std::uint16_t base) {
     const int descriptor = ::open(device.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<std::string> base_holder(const std::string& dev, std::uint16_t bas
     const auto name = AbstractName::from(base_lock_name(dev, base));
     if (const auto listener = name ? holder_of(*name) : std::nullopt)
         return listener->text.empty() ? kUnknownHolder : listener->text;
-    // No core of ours, but somebody who heeds the device's locks.
+    // No core holds the name, but another program that uses the device's locks may.
     const std::string device = dev + "/port";
     if (!is_range_locked(device, base).value_or(false)) return std::nullopt;
     const std::string holders = processes_with(device);

@@ -33,14 +33,14 @@ Finding check_device(const SystemFiles& files, const KernelPort& port, bool has_
         "be in the group that owns it: adduser USER " + group_of(files.path_of(path)) + ", and a new login"};
 }
 
-/// What a core with --port io:BASE would meet. The port itself is not touched.
+/// The result that a core with --port io:BASE would get. Does not touch the port.
 Finding check_base(const SystemFiles& files, const KernelPort& port) {
     const std::string name = "io:" + hex_of(port.base);
     if (const std::string holder = holder_of(files, port); !holder.empty()) return held(name, holder);
     return fine(name, "no core has it; one that is started says whether a port is there");
 }
 
-/// Where a core is let by addresses: the kernel's ports that have no device, and the classic bases.
+/// The ports that a core may drive by addresses: the kernel's ports without a device, and the classic bases.
 std::vector<KernelPort> ports_by_address(const SystemFiles& files, const std::vector<KernelPort>& kernels) {
     std::vector<KernelPort> ports;
     for (const KernelPort& port : kernels) {
@@ -76,7 +76,7 @@ std::vector<Finding> check_ports(const SystemFiles& files, bool has_raw_access) 
              has_hardware ? "modprobe ppdev" : "fit a parallel port; modprobe parport_pc ppdev"});
     }
     if (has_raw_access) {
-        // Who has a device to drive needs no address, and is told only of those that are in use.
+        // A user with a device that can be driven needs no address; report only addresses in use.
         const bool has_device = std::ranges::find(findings, Verdict::ok, &Finding::verdict) != findings.end();
         for (const KernelPort& port : ports_by_address(files, kernels)) {
             Finding finding = check_base(files, port);

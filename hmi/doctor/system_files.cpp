@@ -34,8 +34,8 @@ std::optional<std::uint64_t> number_from(std::string_view text, int base = 10) {
 std::optional<std::string> SystemFiles::text(const std::string& path) const {
     std::ifstream file{root_ + path};
     if (!file) return std::nullopt;
-    // Some files of /proc and /sys open and then fail: here a state of the stream, where iterators would
-    // throw.
+    // Some files of /proc and /sys open and then fail: here that is a state of the stream, where iterators
+    // would throw.
     std::ostringstream text;
     if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
     if (file.bad()) return std::nullopt;

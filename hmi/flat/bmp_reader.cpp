@@ -27,14 +27,14 @@ std::uint32_t word(Bytes bytes, std::size_t at, std::size_t count) noexcept {
     return value;
 }
 
-/// Which of a pixel's bytes is blue, green, red.
+/// The places of a pixel's blue, green and red bytes.
 struct ColourBytes {
     std::size_t blue = 0;
     std::size_t green = 1;
     std::size_t red = 2;
 };
 
-/// As the three masks behind the head say; none where these are not a byte each, of its own.
+/// By the three masks behind the head; nothing where these are not a byte each, of its own.
 std::optional<ColourBytes> colour_bytes(Bytes bytes) noexcept {
     std::array<std::size_t, 3> places{};
     for (std::size_t i = 0; i < places.size(); ++i) {

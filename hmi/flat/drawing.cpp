@@ -17,7 +17,7 @@ namespace psicarve::flat {
 namespace {
 
 constexpr double kMostPieces = 10'000.0;  // of one curve
-constexpr double kSamePlace_mm = 1e-9;    // what rounding makes of one point
+constexpr double kSamePlace_mm = 1e-9;    // the rounding of one point
 
 Point plus(Point a, Point b) noexcept {
     return {a.x + b.x, a.y + b.y};
@@ -154,7 +154,7 @@ void PathMaker::arc_to(double radius_x, double radius_y, double turn_rad, bool i
     const Point half{0.5 * (pen_.x - to.x), 0.5 * (pen_.y - to.y)};
     const Point p{(cosine * half.x + sine * half.y) / rx, (cosine * half.y - sine * half.x) / ry};
     double share = p.x * p.x + p.y * p.y;
-    if (share > 1.0) {  // too small to reach: made just large enough
+    if (share > 1.0) {  // too small to reach: just large enough now
         rx *= std::sqrt(share);
         ry *= std::sqrt(share);
     }
@@ -171,7 +171,7 @@ void PathMaker::arc_to(double radius_x, double radius_y, double turn_rad, bool i
     if (is_positive && sweep_rad < 0.0) sweep_rad += 2.0 * kPi;
     if (!is_positive && sweep_rad > 0.0) sweep_rad -= 2.0 * kPi;
     ellipse(centre, {cosine * rx, sine * rx}, {-sine * ry, cosine * ry}, from_rad, sweep_rad);
-    // The end is where it was asked for, to the last bit.
+    // The end is exactly where it was asked for.
     if (!points_.empty()) points_.back() = placement_.apply(to);
     pen_ = to;
 }

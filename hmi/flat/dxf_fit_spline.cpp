@@ -10,7 +10,7 @@
 namespace psicarve::flat {
 namespace {
 
-// Of points far off nothing is felt any more: each takes off three quarters of what is left.
+// Far points have no effect: each one further takes off three quarters of the rest.
 constexpr std::size_t kFeltPoints = 30;
 
 struct FitPoints {
@@ -95,7 +95,7 @@ bool draw_dxf_fit_spline(const DxfElement& element, const Affine& placement, Pat
     std::size_t begin = 0;
     std::size_t end = count - 1;
     if (is_closed) {
-        // Gone round further on both sides, the ends are not felt where it is drawn.
+        // With more of the round added on both sides, the ends have no effect on the drawn part.
         const std::vector<Point> once = fit.points;
         fit = {};
         for (std::size_t i = 0; i <= count + 2 * kFeltPoints; ++i)

@@ -34,7 +34,7 @@ double mm_of_units(int units) noexcept {
     return units > 0 && units < static_cast<int>(kMm.size()) ? kMm[static_cast<std::size_t>(units)] : 0.0;
 }
 
-/// Names of blocks and layers are the same in any case (ASCII's, as programs differ in others).
+/// Names of blocks and layers ignore case (in ASCII, as programs differ in other letters).
 struct NameOrder {
     using is_transparent = void;
     bool operator()(std::string_view a, std::string_view b) const noexcept {
@@ -79,7 +79,8 @@ public:
     }
 
 private:
-    /// The whole file once: units, layers, where blocks and entities stand. What it passes is well-formed.
+    /// Reads the whole file once: units, layers, places of blocks and entities. A file that passes is
+    /// well-formed.
     Result<void> survey() {
         DxfElement element;
         std::string_view section;
@@ -119,7 +120,7 @@ private:
         if (element.whole(60, 0) != 0 || element.whole(67, 0) != 0) return false;
         const auto hidden = hidden_layers_.find(layer);
         if (hidden == hidden_layers_.end()) return true;
-        // Of a block that is inserted on a layer that is off, what has a layer of its own is seen.
+        // In a block that is inserted on a layer that is off, entities with a layer of their own are visible.
         return element.type == "INSERT" && !hidden->second;
     }
 
@@ -133,7 +134,7 @@ private:
             if (++drawn_ > kMostElements)
                 return bad_input(file_ + ": its blocks draw more than a million elements");
             std::string_view layer = element.text(8, "0");
-            if (layer == "0") layer = block_layer;  // of what the block is inserted on
+            if (layer == "0") layer = block_layer;  // the layer on which the block is inserted
             const bool shown = is_shown(element, layer);
             if (element.type == "SEQEND") continue;  // of an INSERT's attributes
             if (element.type == "POLYLINE") {
@@ -189,7 +190,7 @@ private:
     Result<void> insert(const DxfElement& element, const Affine& placement, std::string_view layer,
                         int depth) {
         const auto block = blocks_.find(element.text(2));
-        // Of a block that is not there nobody misses anything on a layer that is off.
+        // A missing block on a layer that is off needs no warning.
         if (block == blocks_.end() && hidden_layers_.contains(layer)) return {};
         if (block == blocks_.end() || depth >= kDeepestInsert) {
             warnings_.insert("line " + std::to_string(element.line) +
@@ -209,7 +210,7 @@ private:
         const int rows = std::max(element.whole(71, 1), 1);
         for (int row = 0; row < rows && !maker_.is_over(); ++row) {
             for (int column = 0; column < columns && !maker_.is_over(); ++column) {
-                // Copies stand along the turned axes; an empty block must not be walked for ever either.
+                // Copies stand along the turned axes; an empty block must not be walked forever either.
                 if (++drawn_ > kMostElements) {
                     return bad_input(file_ + ": its blocks draw more than a million elements");
                 }
@@ -221,7 +222,7 @@ private:
                                      row * element.number(45, 0.0) - y_scale * block->second.base.y};
                 const Affine whole = after(plane, after(turned, shifted));
                 if (auto done = entities(block->second.begin, whole, layer, depth + 1); !done) return done;
-                // What is not shown is walked, too, each time.
+                // Invisible blocks are walked, too, each time.
                 walked_bytes_ += text_.position() - block->second.begin.position;
                 if (walked_bytes_ > kMostWalkedBytes)
                     return bad_input(file_ + ": its blocks draw more than half a gigabyte of text");

@@ -107,7 +107,7 @@ Result<void> DxfText::next(DxfElement& out) {
             if (out.groups.size() >= kMostGroups)
                 return wrong(line, "more than four million values in one element");
             out.groups.push_back(group);
-        } else if (group.code != 999) {  // comments may stand before everything
+        } else if (group.code != 999) {  // comments may stand before the first element
             return wrong(line, "this is no DXF file: it does not begin with a section");
         }
     }

@@ -13,7 +13,7 @@
 namespace psicarve::flat {
 namespace {
 
-constexpr double kEdge_mm = 1.0;  // above and below the grooves, where nobody says how high the cylinder is
+constexpr double kEdge_mm = 1.0;     // above and below the grooves, if no height is given
 constexpr double kLargest_mm = 1e4;  // far beyond every machine, and safe to calculate with
 constexpr double kRounding = 1e-9;   // of a drawing that is as wide as the cylinder is round
 
@@ -89,7 +89,7 @@ double Grooves::depth_beside_mm(double beside_mm) const noexcept {
     return beside_mm <= wall_mm() ? std::max(0.0, depth_mm - tool::rise(tool, beside_mm)) : 0.0;
 }
 
-// What is left meets the tool first at the groove's rim.
+// The material that is left meets the tool first at the groove's rim.
 double Grooves::tip_depth_mm(double beside_mm) const noexcept {
     if (beside_mm <= 0.0) return depth_mm;
     const double to_rim_mm = wall_mm() - beside_mm;

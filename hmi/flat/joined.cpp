@@ -51,7 +51,7 @@ public:
                 for (auto it = begin; it != end && looked_at < kMostInASquare; ++it, ++looked_at) {
                     if (is_used_[it->second / 2]) continue;
                     const double away = distance(place(it->second), to);
-                    // Of equal ones the first of the file: the order in the table means nothing.
+                    // Of equal ones the first of the file: the table has no order of its own.
                     if (away > best || (any && away == best && it->second > found)) continue;
                     best = away;
                     found = it->second;

@@ -15,8 +15,8 @@
 namespace psicarve::flat {
 namespace {
 
-/// One JPEG being read. libjpeg's errors leave by longjmp; its warnings (a file cut short is one) are ours to
-/// take as errors.
+/// One JPEG being read. libjpeg's errors leave by longjmp; we count its warnings (a file cut short is one) as
+/// errors.
 struct JpegJob {
     jpeg_error_mgr errors{};  // first: libjpeg hands us a pointer to it
     std::jmp_buf jump{};
@@ -41,7 +41,7 @@ void on_message(j_common_ptr state, int level) {
 constexpr int kExifMarker = JPEG_APP0 + 1;
 constexpr unsigned kLongestMarker = 0xFFFF;
 
-/// Inks on white paper. Programs that write a marker of Adobe's store how much paper is seen, not ink.
+/// Inks on white paper. Programs that write a marker of Adobe's store the visible paper, not the ink.
 std::uint16_t grey_of_inks(const unsigned char* inks, bool is_paper) noexcept {
     std::uint32_t paper[4];
     for (int i = 0; i < 4; ++i) paper[i] = is_paper ? inks[i] : 255U - inks[i];
@@ -77,7 +77,7 @@ bool read_rows(JpegJob& job, unsigned char* row, std::uint16_t* const out) {
     return true;
 }
 
-/// The markers go when the rows are read.
+/// The markers are freed when the rows are read.
 int orientation_of(const jpeg_decompress_struct& state) {
     for (const auto* marker = state.marker_list; marker != nullptr; marker = marker->next) {
         const int orientation = exif_orientation({marker->data, marker->data_length});

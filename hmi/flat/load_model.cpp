@@ -65,9 +65,9 @@ Format format_of(std::string_view head, const std::string& path) {
     if (!head.empty() && head.front() == '<' && head.find("<svg") != std::string_view::npos)
         return Format::svg;
     if (begins_as_dxf(head)) return Format::dxf;
-    // What is packed, or another program's, says so itself, whatever its name.
+    // A packed file, or another program's, is recognised by its content, whatever its name.
     if (!model::foreign_kind(head).empty()) return Format::other;
-    // A damaged file is still one of its kind: the reader says what is wrong with it.
+    // A damaged file is still of its kind: the reader reports the fault.
     const std::string extension = extension_of(path);
     if (extension == ".svg") return Format::svg;
     if (extension == ".dxf") return Format::dxf;

@@ -32,7 +32,7 @@ public:
         if (is_binary()) ++at_;  // the one blank behind the head
         const std::string bits = most_ > 255 ? "PGM, 16 bits" : "PGM, 8 bits";
         GreyImage image{*width, *height, {}, bits, {}};
-        // Each pixel takes at least this much of the file: no memory before we know that it is there.
+        // Each pixel takes at least this much of the file: check that before allocating memory.
         const std::uint64_t pixels = image.width * image.height;
         const std::uint64_t least = kind_ == 4 ? (image.width + 7) / 8 * image.height : pixels;
         if (at_ > bytes_.size() || bytes_.size() - at_ < least) return cut();

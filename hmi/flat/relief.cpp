@@ -16,8 +16,7 @@
 namespace psicarve::flat {
 namespace {
 
-// A job of 1000 layers and 2000 directions has no more places; finer pictures are averaged, never skipped
-// over.
+// A job of 1000 layers and 2000 directions has no more places; finer pictures are averaged, never subsampled.
 constexpr std::size_t kMostSamples = 2'000'000;
 constexpr double kLeastRadius_mm = 0.05;
 constexpr double kSeamToTell_mm = 0.05;
@@ -74,7 +73,7 @@ Result<void> set_size(DepthMap& map, double aspect, const FlatOptions& options, 
                          decimals(turn_mm, 2) + " mm: at most --height " + decimals(turn_mm / aspect, 2) +
                          ", a larger --diameter, or --full-turn to change its shape");
     }
-    // A picture that all but closes is one of a full turn: no slot of a few micrometres.
+    // A picture that nearly closes counts as a full turn: no slot of a few micrometres.
     if (map.share_of_turn > 1.0 - 0.5 / static_cast<double>(map.width)) map.share_of_turn = 1.0;
     return {};
 }
@@ -162,7 +161,7 @@ double usual_step_mm(const DepthMap& map) {
     return static_cast<double>(steps_mm[static_cast<std::size_t>(at)]);
 }
 
-/// Where two columns stand beside each other that did not in the picture.
+/// The steps between two columns that become neighbours and were not in the picture.
 class EdgeSteps {
 public:
     explicit EdgeSteps(double range_mm, double usual_mm)
@@ -177,8 +176,8 @@ public:
         rows_ += 1.0;
     }
     double most_mm() const noexcept { return most_mm_; }
-    /// Higher than the picture's own in many rows, or one wall from top to bottom, whatever walls it has
-    /// besides.
+    /// Whether a warning is due: higher than the picture's own steps in many rows, or one wall from top to
+    /// bottom, whatever other walls it has.
     bool is_to_tell() const noexcept {
         const double wall_mm = std::abs(sum_mm_) / rows_;
         return high_ > kHighRowsShare * rows_ || wall_mm > std::max(kSeamToTell_mm, kWallOfDepth * range_mm_);
@@ -203,7 +202,7 @@ void tell_of_seam(DepthMap& map, double range_mm) {
                            decimals(seam.most_mm(), 2) + " mm at direction 0; --seam blend makes it smooth");
 }
 
-/// Of a picture that goes not all round.
+/// Warns of the edges of a picture that does not go all round.
 void tell_of_edges(DepthMap& map, double range_mm) {
     const double usual_mm = usual_step_mm(map);
     EdgeSteps left(range_mm, usual_mm), right(range_mm, usual_mm);

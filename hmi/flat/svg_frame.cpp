@@ -9,7 +9,7 @@
 namespace psicarve::flat {
 namespace {
 
-// What programs round; strokes whose ends are so near are one as well.
+// The rounding of drawing programs; strokes whose ends are this near are one as well.
 constexpr double kRounding_mm = 0.01;
 
 /// Whether a place lies before the beginning or behind the end of a frame's side `along`; all in mm from the

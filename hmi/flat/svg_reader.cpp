@@ -44,7 +44,7 @@ struct Inherited {
     int use_depth = 0;
 };
 
-/// How a viewBox comes into its viewport, as preserveAspectRatio asks.
+/// Places a viewBox in its viewport, as preserveAspectRatio says.
 Affine fitted(const std::array<double, 4>& box, const SvgViewport& port, std::string_view aspect) {
     double x_factor = port.width / box[2];
     double y_factor = port.height / box[3];
@@ -80,7 +80,7 @@ std::optional<std::array<double, 4>> view_box(const SvgElement& element) {
     return box;
 }
 
-/// A length of the whole drawing. A percentage says none: of what, only who shows it knows.
+/// A length of the whole drawing. Nothing for a percentage: only the viewer knows of what.
 std::optional<double> own_length(std::string_view text) {
     const auto length = svg_length(text, std::numeric_limits<double>::quiet_NaN());
     return length && std::isnan(*length) ? std::nullopt : length;
@@ -135,7 +135,7 @@ private:
         const std::string_view box = style[SvgProperty::transform_box];
         if (!own) return std::nullopt;
         if (style[SvgProperty::transform].empty()) return state.placement;
-        // The box of what is drawn is not known here.
+        // The box of the drawn content is not known here.
         if (!box.empty() && box != "view-box") return std::nullopt;
         if (about.empty()) return after(state.placement, *own);
         const auto origin = svg_origin(about, state.viewport.width, state.viewport.height);
@@ -200,20 +200,20 @@ private:
                          element.name + "> is carved whole");
     }
 
-    /// Of the first viewport beyond whose edge something is seen.
+    /// Notes the first viewport beyond whose edge something is visible.
     void note_edge(const Inherited& state, std::size_t first_path) {
         if (has_edge_told_) return;
         const SvgFrame* const frame = hiding_frame(state.frame, maker_.paths(), first_path);
-        if (frame == nullptr || frame->element == clipped_) return;  // carved whole, as was told
+        if (frame == nullptr || frame->element == clipped_) return;  // carved whole, as was warned
         has_edge_told_ = true;
         warnings_.insert("line " + std::to_string(frame->element->line) + ": what lies beyond the edge of <" +
                          frame->element->name + "> is carved, too");
     }
 
-    /// What an element says of itself; false where it is not drawn.
+    /// Applies an element's own style; false where it is not drawn.
     bool take_on(const SvgElement& element, Inherited& state) {
         const SvgStyle style = styles_.of(element);
-        // A <symbol> is met through <use> alone, and is seen there by standard.
+        // A <symbol> is drawn through <use> alone, and is visible there by standard.
         if (style[SvgProperty::display] == "none" && element.name != "symbol") return false;
         if (is_clear(style[SvgProperty::opacity]).value_or(false)) return false;
         note_clipping(element, style);
@@ -244,7 +244,7 @@ private:
         if (state.is_visible) shape(element, state);
     }
 
-    /// Whose language and which extensions a reader knows is not known here: what asks for none fits.
+    /// A reader's language and extensions are not known here: an element that asks for none fits.
     static bool fits(const SvgElement& element) {
         constexpr std::array<std::string_view, 6> kDrawNothing{"title", "desc",  "metadata",
                                                                "defs",  "style", "foreignObject"};
@@ -276,7 +276,7 @@ private:
         const std::size_t first_path = maker_.paths().size();
         const bool is_right = draw_svg_shape(element, state.viewport, maker_);
         note_edge(state, first_path);
-        // What is filled has an edge that is seen between the dashes, too.
+        // A filled shape has an edge that is visible between the dashes, too.
         if (!state.dashes.empty() && is_stroked && !is_filled) dash(element, state, first_path, growth);
         if (is_right) return;
         const bool is_list = element.name == "path" || element.name.starts_with("poly");
@@ -316,7 +316,7 @@ private:
         framed(element, state, true);
     }
 
-    /// What a viewport holds.
+    /// Draws the content of a viewport.
     void framed(const SvgElement& element, Inherited state, bool has_edge) {
         const SvgFrame frame{&element, state.placement, state.viewport, state.frame};
         const SvgStyle style = styles_.of(element);

@@ -13,7 +13,7 @@
 namespace psicarve::flat {
 namespace {
 
-/// An element's lengths; remembers one that is none.
+/// An element's lengths; remembers an invalid one.
 class Lengths {
 public:
     Lengths(const SvgElement& element, const SvgViewport& port)
@@ -21,7 +21,7 @@ public:
 
     double x(std::string_view name) { return get(name, port_.width).value_or(0.0); }
     double y(std::string_view name) { return get(name, port_.height).value_or(0.0); }
-    // Sides and radii are never less than 0. Nothing where nothing is said.
+    // Sides and radii are never less than 0. Nothing where none is given.
     std::optional<double> width(std::string_view name) { return positive(get(name, port_.width)); }
     std::optional<double> height(std::string_view name) { return positive(get(name, port_.height)); }
     std::optional<double> radius(std::string_view name) { return positive(get(name, diagonal_)); }

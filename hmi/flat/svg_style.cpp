@@ -42,7 +42,7 @@ constexpr std::uint64_t kIdRank = std::uint64_t{1} << 48U;
 constexpr std::uint64_t kInlineRank = std::uint64_t{1} << 52U;
 constexpr std::uint64_t kImportantRank = std::uint64_t{1} << 56U;
 
-/// Takes what stands before the separator off the text.
+/// Takes the part before the separator off the text.
 std::string_view take_until(std::string_view& text, char separator) noexcept {
     const std::size_t end = text.find(separator);
     const std::string_view part = text.substr(0, end);
@@ -58,7 +58,7 @@ std::string without_comments(std::string_view text) {
         const std::size_t end = begin == std::string_view::npos ? begin : text.find("*/", begin + 2);
         text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 2);
     }
-    // What hid style sheets from browsers that knew none.
+    // The marks that hid style sheets from very old browsers.
     for (const std::string_view mark : {"<!--", "-->"}) {
         for (std::size_t at = out.find(mark); at != std::string::npos; at = out.find(mark, at))
             out.replace(at, mark.size(), " ");
@@ -72,7 +72,7 @@ std::optional<SvgProperty> property_of(std::string_view name) noexcept {
     return static_cast<SvgProperty>(found - kNames.begin());
 }
 
-/// Takes a name off the front; empty where none stands.
+/// Takes a name off the front; empty where there is none.
 std::string_view take_name(std::string_view& text) noexcept {
     const auto is_of_name = [](char c) {
         const auto byte = static_cast<unsigned char>(c);
@@ -180,7 +180,7 @@ void SvgStyles::add(std::string_view selectors, std::string_view declarations) {
     }
 }
 
-/// Those that say nothing of lines are none that is missed.
+/// A rule that does not concern lines is not reported.
 void SvgStyles::skip_at_rule(std::string_view& sheet) {
     const std::string_view name = sheet.substr(0, sheet.find_first_of(" \t\r\n\f{;(\""));
     const std::size_t end = sheet.find_first_of("{;");

@@ -30,8 +30,8 @@ struct ParserFree {
     void operator()(XML_Parser parser) const noexcept { XML_ParserFree(parser); }
 };
 
-/// Feeds the text to Expat and keeps the elements. The handlers are called by C functions: nothing is thrown
-/// through them. Entities that multiply are Expat's to stop (since 2.4).
+/// Feeds the text to Expat and keeps the elements. C functions call the handlers, so these throw nothing.
+/// Expat stops entities that multiply (since 2.4).
 class TreeWalk {
 public:
     explicit TreeWalk(std::string file) : file_(std::move(file)) {
@@ -88,7 +88,7 @@ private:
         SvgElement element;
         element.name = name;
         element.line = XML_GetCurrentLineNumber(parser_.get());
-        // What is not SVG is kept without content, so that its end finds it.
+        // An element that is not SVG is kept without content, so that its end finds it.
         for (const XML_Char** pair = attributes; *pair != nullptr && !name.empty(); pair += 2) {
             const std::string_view key = *pair == kXlinkHref ? "href" : std::string_view(*pair);
             if (key.find(' ') == std::string_view::npos) element.attributes.emplace_back(key, pair[1]);

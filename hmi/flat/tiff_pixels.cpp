@@ -24,8 +24,8 @@ std::uint16_t tiff_field(TIFF* tiff, std::uint32_t tag, std::uint16_t otherwise)
     return value;
 }
 
-/// Of the first sample that is no colour. Four samples whose last is not named are taken as most programs
-/// take them.
+/// The use of the first sample that is no colour. Four samples whose last is not named are read as most
+/// programs do.
 TiffAlpha tiff_alpha(TIFF* tiff, TiffShape& shape) {
     if (shape.samples <= shape.colours()) return TiffAlpha::none;  // whatever the tag says
     std::uint16_t count = 0;
@@ -57,7 +57,7 @@ std::uint16_t tiff_grey_at(const unsigned char* row, std::size_t x, const TiffSh
         case TiffAlpha::unassociated:
             return over_white(grey, sample(shape.colours()));
         case TiffAlpha::associated:
-            // What is stored is multiplied by alpha already; ink that is less lets more of the paper through.
+            // The stored values are multiplied by alpha already; less ink lets more of the paper through.
             if (!is_ink)
                 return static_cast<std::uint16_t>(std::min(65535U, grey + 65535U - sample(shape.colours())));
             break;
@@ -112,7 +112,7 @@ bool read_sample_tiles(TIFF* tiff, const TiffShape& shape, GreyImage& image) {
     return true;
 }
 
-/// libtiff's own way to colours; as it is stored, like the others.
+/// Uses libtiff's own conversion to colours; as stored, like the others.
 bool read_as_colours(TIFF* tiff, GreyImage& image) {
     std::vector<std::uint32_t> pixels(image.width * image.height);
     if (TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(image.width),
@@ -139,7 +139,7 @@ TiffShape tiff_shape(TIFF* tiff) {
     TiffShape shape;
     shape.bits = tiff_field(tiff, TIFFTAG_BITSPERSAMPLE, 1);
     shape.samples = tiff_field(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-    // A file that does not say has red, green and blue where it has room for them.
+    // Without the tag the picture has red, green and blue if it has enough samples.
     shape.kind =
         tiff_field(tiff, TIFFTAG_PHOTOMETRIC, shape.samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK);
     shape.number = tiff_field(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);

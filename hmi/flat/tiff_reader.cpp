@@ -19,7 +19,7 @@
 namespace psicarve::flat {
 namespace {
 
-// libtiff's messages go to functions of the whole process; the one that reads keeps its first here.
+// libtiff's messages go to functions of the whole process; the reading thread keeps its first here.
 thread_local std::string* first_fault = nullptr;
 
 void on_error(const char* /*module*/, const char* format, va_list arguments) {
@@ -64,7 +64,7 @@ struct TiffClose {
     void operator()(TIFF* tiff) const noexcept { TIFFClose(tiff); }
 };
 
-/// Whoever cut the file short must know; else which part of it is wrong.
+/// Says that the file is cut short; else which part of it is wrong.
 Error damaged(const TiffBytes& source, const std::string& fault, const std::string& part,
               const std::string& file) {
     const bool is_cut = source.has_run_out || fault.find("ead error") != std::string::npos;
@@ -89,7 +89,7 @@ Result<GreyImage> read_tiff(Bytes bytes, const std::string& file) {
     const std::unique_ptr<TIFF, TiffClose> tiff(
         TIFFClientOpen("picture", "rm", &source, TiffBytes::read, TiffBytes::write, TiffBytes::seek,
                        TiffBytes::close, TiffBytes::size, nullptr, nullptr));
-    // Where samples differ, libtiff gives up before anybody can ask; its words are for programmers.
+    // Where samples differ, libtiff gives up before we can ask; its words are for programmers.
     if (!tiff && fault.find("different values per") != std::string::npos)
         return bad_input(file + ": a TIFF picture whose samples are of different sizes; save it as PNG");
     if (!tiff) return damaged(source, fault, "its directory cannot be read", file);
@@ -100,7 +100,7 @@ Result<GreyImage> read_tiff(Bytes bytes, const std::string& file) {
     if (auto fits = check_image_size(width, height, file); !fits) return fits.error();
     const TiffShape shape = tiff_shape(tiff.get());
     if (auto known = check_tiff_kind(tiff.get(), shape, file); !known) return known.error();
-    // An entry of the directory that is wrong and was passed over is no fault of the pixels.
+    // A wrong entry of the directory that was skipped is no fault of the pixels.
     fault.clear();
     const bool has_16_bits = shape.bits == 16 && shape.is_as_it_stands();
     GreyImage image{width, height, {}, has_16_bits ? "TIFF, 16 bits" : "TIFF, 8 bits", {}};

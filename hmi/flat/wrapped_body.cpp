@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kStepWidth_mm = 0.01;  // beside a picture that goes not all round
 
-/// A line of points up the body: where it stands, and between which samples.
+/// A line of points up the body: its angle, and the samples on both sides.
 struct Column {
     double angle_rad = 0.0;
     std::size_t left = 0;

@@ -7,7 +7,7 @@
 namespace psicarve::gcode {
 namespace {
 
-/// Letters whose number counts something.
+/// Letters that take whole numbers.
 constexpr std::string_view kWholeLetters = "DHLNT";
 
 constexpr std::array<std::int8_t, 26> make_axis_of_letter() {

@@ -83,7 +83,7 @@ Interpreter::Fault Interpreter::judge() {
     return words_.left_over();
 }
 
-/// Whom the axis words belong to, and which motion there is to be.
+/// Decides which code the axis words belong to, and which motion follows.
 Interpreter::Fault Interpreter::judge_motion() {
     const int once = words_.code(CodeGroup::once);
     const int motion = words_.code(CodeGroup::motion);
@@ -93,7 +93,7 @@ Interpreter::Fault Interpreter::judge_motion() {
     motion_to_be_ = motion == 800 ? kNoCode : motion;
     if (is_claimed) {
         const CodeGroup claimant = is_length ? CodeGroup::length : CodeGroup::once;
-        // G28 and its like may have axis words, whether they have some or not.
+        // G28 and its like take axis words, given or not.
         if (motion_to_be_ != kNoCode && (has_axes || !is_length))
             return fault(words_.column(CodeGroup::motion), ProblemCode::claimed_twice,
                          code_name('G', motion) + " and " + code_name('G', words_.code(claimant)) +
@@ -118,13 +118,13 @@ Interpreter::Fault Interpreter::judge_motion() {
     return std::nullopt;
 }
 
-/// After an arc its centre alone is another one.
+/// After an arc a new centre alone suffices.
 bool Interpreter::has_centre_for_arc() const noexcept {
     return (modes_.motion == 20 || modes_.motion == 30) &&
            (words_.has('I') || words_.has('J') || words_.has('K'));
 }
 
-/// Whom the other words belong to; P may belong to one code only.
+/// Decides which code the other words belong to; P may belong to one code only.
 Interpreter::Fault Interpreter::judge_claims() {
     const int once = words_.code(CodeGroup::once);
     const int outputs = words_.code(CodeGroup::outputs);

@@ -18,8 +18,8 @@ constexpr double kMostPecks = 1e5;
 
 }  // namespace
 
-/// What the block gives, and where the same cycle goes on what was given before. `modes_.motion` is still
-/// the motion before this block.
+/// Reads the block's words; where the same cycle goes on, earlier ones hold. `modes_.motion` is still the
+/// motion before this block.
 Interpreter::Fault Interpreter::read_cycle_words() {
     const std::uint32_t column = words_.axis_column();
     const bool goes_on = modes_.motion == motion_to_be_;
@@ -69,12 +69,12 @@ Interpreter::Fault Interpreter::drill() {
     const double retract_mm = modes_.retracts_to_start ? std::max(cycle_.initial_mm, clear_mm) : clear_mm;
     Position at = program_;
     if (!steps) note_places(mask_of(plane.across), false);
-    // As LinuxCNC has it: before every hole that lies above where the first one began.
+    // As in LinuxCNC: before every hole that lies above where the first one began.
     if (clear_mm > cycle_.initial_mm) {
         at[plane.across] = clear_mm;
         rapid_to(at);
     }
-    // A hole before may have ended below this one's R: it rises on the way.
+    // An earlier hole may have ended below this one's R: it rises on the way.
     if (!(at[plane.across] > clear_mm)) at[plane.across] = retract_mm;
     note_places(words_.axes(), false);
     const Position first_end = target();

@@ -19,7 +19,7 @@ double length_of(const Position& from, const Position& to, std::size_t begin) no
     return std::sqrt(a * a + b * b + c * c);
 }
 
-/// False of what is no number, too.
+/// False for NaN, too.
 bool is_in_reach(const Position& position) noexcept {
     return std::all_of(position.begin(), position.end(),
                        [](double place) { return std::abs(place) <= kFurthest; });
@@ -45,7 +45,7 @@ Interpreter::Fault Interpreter::move() {
         if (words_.axes() == 0)
             return fault(words_.column(CodeGroup::motion), ProblemCode::axes_missing,
                          code_name('G', motion_to_be_) + " has no axis word");
-        // What one cycle was told does not hold for another.
+        // The words of one cycle do not hold for another.
         if (!is_cycle(before)) cycle_.initial_mm = program_[modes_.plane->across];
         modes_.motion = before;
         const Fault wrong = drill();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What blocks set, in the order of their execution.
+// The settings that blocks make, in the order of their execution.
 #include <cmath>
 
 #include "hmi/gcode/interpreter.hpp"
@@ -34,7 +34,7 @@ void Interpreter::set_units() {
 Interpreter::Fault Interpreter::set_feed() {
     if (words_.has(CodeGroup::feed_mode)) {
         const FeedMode mode = feed_mode_of(words_.code(CodeGroup::feed_mode));
-        // A number that was per minute means nothing per turn.
+        // A feed per minute means nothing per turn.
         if (mode != modes_.feed_mode) modes_.feed_number = modes_.feed_mm = 0.0;
         modes_.feed_mode = mode;
     }
@@ -202,7 +202,7 @@ Interpreter::Fault Interpreter::set_coordinates() {
         if (kind == 2.0) offsets_.set_origin(system, axis, given[axis]);
     }
     if (kind == 20.0) offsets_.set_current(system, machine_, words_.axes(), given);
-    // Where the place is not known, what it is called from here on tells nothing of the machine.
+    // Where the place is not known, its new name does not locate the machine.
     const AxisMask axes = kind == 20.0 ? both_if_turned(words_.axes()) : words_.axes();
     const AxisMask unplaced =
         both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.shift));

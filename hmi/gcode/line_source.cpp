@@ -15,7 +15,7 @@ namespace psicarve::gcode {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
-/// No line of a program, be it ever so wrong: a device's bytes, that never end.
+/// A longer line belongs to no program, however wrong: the endless bytes of a device.
 constexpr std::size_t kHopelessLineBytes = std::size_t{1} << 26U;
 
 /// A file's descriptor, closed at the end.

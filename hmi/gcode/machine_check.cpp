@@ -54,7 +54,7 @@ ArcExtents extents_of(const CanonRecord& record) noexcept {
     return found;
 }
 
-/// Whether the record brings the axis to where it has not been judged yet.
+/// Whether the record brings the axis to a place that has not been judged yet.
 bool is_new_place(const CanonRecord& record, std::size_t letter) noexcept {
     if ((record.placed & mask_of(letter)) == 0) return false;
     return (record.start_placed & mask_of(letter)) == 0 || record.start[letter] != record.end[letter];
@@ -177,7 +177,7 @@ void MachineCheck::judge_arc(const CanonRecord& record) {
         judge_extents(record, axis_of_letter(plane.first), found.least_mm[0], found.most_mm[0]);
         judge_extents(record, axis_of_letter(plane.second), found.least_mm[1], found.most_mm[1]);
     } else {
-        // How far it reaches cannot be known, but where it ends.
+        // Its reach is not known, but its end is.
         judge_end(record, plane.first);
         judge_end(record, plane.second);
     }

@@ -116,7 +116,7 @@ Result<void> CoreProcess::wait_until_it_serves() {
     const auto give_up = Clock::now() + kStartLimit;
     while (true) {
         if (poll_exit()) {
-            // A short replay may be over before we looked; its result is the caller's to judge.
+            // A short replay may be over before we looked; the caller judges its result.
             if (is_replay_ && (exit_code_ == kExitDone || exit_code_ == kExitAlarm)) return {};
             return failure();
         }
@@ -183,7 +183,7 @@ void CoreProcess::end() noexcept {
             terminate();
             if (!wait_exit(kTerminateLimit)) {
                 kill(pid_, SIGKILL);
-                // Nothing outlives that; the limit only guards against a process stuck in the kernel.
+                // No process outlives that; the limit only guards against one stuck in the kernel.
                 (void)wait_exit(kTerminateLimit);
             }
         }

@@ -29,21 +29,22 @@ bool is_still_there(const FoundCheckpoint& found) {
     return standing && standing->name() == found.saved.name();
 }
 
-/// What a caller may mean. Nothing in it: there is none.
+/// The record that a caller may mean. Empty: there is none.
 struct ForgetChoice {
     std::optional<RecordName> record;
     ForgottenPiece piece;
-    std::optional<FoundCheckpoint> file;  ///< to be taken away; nothing: the segment alone knows it
+    std::optional<FoundCheckpoint> file;  ///< the file to be removed; nothing: only the segment knows the
+                                          ///< piece
 };
 
-/// Whoever has seen one may not know its place on a disk.
+/// A caller that has seen a record may not know its place on a disk.
 bool is_wanted(const RecordName& record, const std::optional<RecordName>& wanted) {
     return !wanted ||
            (record.is_simulator == wanted->is_simulator && record.job_checksum == wanted->job_checksum &&
             (record.sequence == wanted->sequence || record.sequence == 0 || wanted->sequence == 0));
 }
 
-/// The segment's, which its core carves by, before what a disk tells: that may be another core's.
+/// The segment's record, which its core uses, comes before a disk's: that may be another core's.
 ForgetChoice choose(const std::string& segment, const std::optional<Checkpoint>& checkpoint,
                     const std::optional<FoundCheckpoint>& found, const std::optional<RecordName>& wanted) {
     if (checkpoint && is_checkpoint(*checkpoint) && is_unfinished(*checkpoint)) {
@@ -69,14 +70,14 @@ Error none_to_forget(const std::string& segment, bool is_another_there) {
     return bad_input("no unfinished piece is known of segment " + segment);
 }
 
-/// The core keeps it where nobody has looked.
+/// The core keeps it in a folder that was not searched.
 bool is_kept_elsewhere(const CoreKeeping& core, const std::string& folder) {
     if (!core.is_somewhere()) return false;
     const auto folders = folder.empty() ? state_folders_to_read() : std::vector<std::string>{folder};
     return std::ranges::none_of(folders, [&](const std::string& each) { return core.is_in(each); });
 }
 
-/// The core's thread takes the file away, or says why it cannot.
+/// The core's thread removes the file, or says why it cannot.
 Result<ForgottenPiece> forget_by_core(MachineLink& link, const std::string& folder,
                                       const std::optional<RecordName>& wanted) {
     const auto status = link.last_status();
@@ -87,8 +88,8 @@ Result<ForgottenPiece> forget_by_core(MachineLink& link, const std::string& fold
     const auto chosen = choose(link.segment_name(), checkpoint, found, wanted);
     const bool is_others = chosen.file && chosen.file->keeper == Keeper::other_core;
     const bool is_hidden = !is_others && is_kept_elsewhere(core, folder);
-    // That the machine is not at rest comes before that there is none.
-    // Nor does this core know another folder's records: it only says whether one may be forgotten.
+    // Report first that the machine is not at rest, then that there is no record. The core does not know
+    // another folder's records either: it only says whether one may be forgotten.
     const bool is_asked_only = is_hidden || !chosen.record || (is_others && core.is_somewhere());
     const RecordName sent_name = is_asked_only ? RecordName{} : *chosen.record;
     if (auto sent = link.send(command_to_forget(sent_name)); !sent) return sent.error();
@@ -111,7 +112,7 @@ Result<ForgottenPiece> forget_by_core(MachineLink& link, const std::string& fold
     return chosen.piece;
 }
 
-/// As a core would, for as long as it takes: none can begin meanwhile.
+/// Does it as a core would, holding the core's lock: no core can begin meanwhile.
 Result<void> clear_record(MachineLink& link) {
     if (auto locked = link.segment().take_core_lock(); !locked) return locked.error();
     write_record(link.segment().header().checkpoint, Checkpoint{});

@@ -60,7 +60,7 @@ RunFigures figures_of(const JobRun& run) {
     for (std::uint64_t i = std::max(oldest, run.before.alarm_count); i < after.alarm_count; ++i) {
         figures.alarms.push_back(after.alarms[i % kAlarmHistory]);
     }
-    if (!run.has_started) return figures;  // the rest is about the job before
+    if (!run.has_started) return figures;  // the rest belongs to the job before
     std::copy(std::begin(after.emitted_pulses), std::end(after.emitted_pulses), figures.pulses.begin());
     const bool is_last_reached = after.points_total > 0 && after.points_done == after.points_total;
     if (is_last_reached && after.carve_first_tick != 0) {

@@ -9,7 +9,7 @@
 namespace psicarve::machine {
 namespace {
 
-/// Another one for each jog, and hardly ever another process'.
+/// Differs for each jog, and is hardly ever another process's.
 std::uint32_t new_token() noexcept {
     static std::atomic<std::uint32_t> count{0};
     const std::uint32_t token = own_pid() * 2654435761U + count.fetch_add(1);
@@ -35,7 +35,7 @@ Result<HeldJog> HeldJog::begin(MachineLink& link, Command command, std::chrono::
         jog.is_released_ = true;
         return sent.error();
     }
-    // Not before: the word may still say that the holder before lets go.
+    // Not before: the word may still hold the beat with which an earlier holder ended its jog.
     jog.renew();
     return jog;
 }
@@ -72,7 +72,7 @@ void HeldJog::renew() noexcept {
     const auto now = std::chrono::steady_clock::now();
     if (is_released_ || now - renewed_ < kJogRenewal / 2) return;
     renewed_ = now;
-    // 0 would let go.
+    // 0 would end the jog.
     if (++beat_ == 0) ++beat_;
     write_jog_lease(link_->segment(), token_, beat_);
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kPoll_ms = 100;
 
-/// The measuring core; ended and buried with the object.
+/// The measuring core; the destructor ends it and waits for its end.
 class Probe {
 public:
     explicit Probe(pid_t pid) noexcept : pid_(pid) {}
@@ -148,7 +148,7 @@ Result<LatencyResult> measure_latency(const LatencyWish& wish,
             if (const auto now = progress_from(*line)) progress(*now);
             last = std::move(*line);
         }
-        // Not before it has spoken: until then a signal would end it without a word.
+        // Not before its first line: until then a signal would end it without a word.
         if (!is_told && !last.empty() && must_end()) {
             probe.tell_to_end();
             is_told = true;

@@ -12,15 +12,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPoll{10};
-// One status may have been sampled before our command was seen and be written after it; the one after that
-// not.
+// One status may have been sampled before the core saw our command and be written after it; the next one is
+// new.
 constexpr std::uint64_t kFreshAfter = 2;
 
 std::uint64_t heartbeat_of(const std::optional<CoreStatus>& status) {
     return status ? status->heartbeat : 0;
 }
 
-/// At rest, and no command that is under way will change that.
+/// At rest, and no command under way will change that.
 bool is_dead_end(MachineState state) {
     return state == MachineState::off || state == MachineState::ready || state == MachineState::waiting;
 }

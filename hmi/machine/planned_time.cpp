@@ -23,7 +23,7 @@ std::string path_of(const UniqueFd& file) {
     return "/proc/self/fd/" + std::to_string(file.get());
 }
 
-/// Of the lines "layer,seconds" that tell when each layer is over.
+/// Each layer's time, from the lines "layer,seconds" of the times at which layers are over.
 Result<std::vector<double>> layer_seconds_in(const UniqueFd& file, std::uint32_t layer_count) {
     const std::string text = tail_of(file.get(), std::numeric_limits<std::size_t>::max());
     std::vector<double> seconds;

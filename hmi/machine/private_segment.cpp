@@ -22,7 +22,7 @@ void remove_stale_private_segments() {
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm", error}) {
         const std::string name = entry.path().filename().string();
-        // One of another user's cannot be removed, and is not.
+        // Another user's cannot be removed, and stays.
         if (is_named_after_dead_process(name, kPrefix)) (void)Segment::remove("/" + name);
     }
 }

@@ -26,7 +26,7 @@ constexpr int kMostAtOnce = 256;
 constexpr int kRenewalPause_ms = 100;
 /// Of a job, between two renewals.
 constexpr std::size_t kJobPieceBytes = std::size_t{1} << 20;
-/// What the core has put into the ring by the end of the recording is there to be read.
+/// How long to read the pieces that the core has put into the ring by the end of the recording.
 constexpr std::chrono::milliseconds kEndLimit{5000};
 
 std::uint32_t any_token() {
@@ -35,7 +35,7 @@ std::uint32_t any_token() {
     return token != 0 ? token : 1;
 }
 
-/// `wait` is called again and again while the verifier has no room for more.
+/// Calls `wait` repeatedly while the verifier has no room for more.
 template <typename Wait>
 void write_all(int fd, std::span<const std::uint8_t> bytes, Wait&& wait) {
     while (!bytes.empty()) {
@@ -78,7 +78,7 @@ Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, con
     return made;
 }
 
-/// The core comes first: a file that stands where the trace is to go stays as it is when it refuses.
+/// The core comes first: an existing file in the trace's place stays as it is when the core refuses.
 Result<void> RecordedPins::begin(const std::string& trace_path) {
     renew();
     const bool is_vcd = trace_path.ends_with(".vcd");
@@ -96,7 +96,7 @@ Result<void> RecordedPins::begin(const std::string& trace_path) {
 RecordedPins::~RecordedPins() {
     phase_.store(Phase::given_up);
     if (thread_.joinable()) thread_.join();
-    pipe_.reset();  // before the verifier is waited for
+    pipe_.reset();  // before waiting for the verifier
     if (file_ && !is_whole_) file_->discard();
 }
 
@@ -146,10 +146,10 @@ void RecordedPins::read_pieces() {
         if (taken == 0 && (phase == Phase::given_up || (phase == Phase::ending && is_silent))) break;
         std::this_thread::sleep_for(kPinsPoll);
     }
-    pipe_.reset();  // the verifier reads to the end of what there is
+    pipe_.reset();  // the verifier reads to the end of the pieces
 }
 
-/// How many there were.
+/// Returns how many there were.
 int RecordedPins::take_pieces() {
     for (int n = 0; n < kMostAtOnce; ++n) {
         const auto piece = pieces_.next();

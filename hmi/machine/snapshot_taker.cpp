@@ -16,7 +16,7 @@ Result<Snapshot> take_snapshot(MachineLink& link, std::chrono::milliseconds limi
     snapshot.capacity_layers = link.segment().capacity_layers();
     snapshot.capacity_points = link.segment().capacity_points();
     RingReader reader{link.segment().header().recorder};
-    // A core that goes on recording must not keep us here for ever: no more than the ring holds.
+    // A core that goes on recording must not keep us here forever: read no more than the ring holds.
     for (std::size_t i = 0; i < kFlightRecords; ++i) {
         const auto record = reader.next();
         if (!record) break;

@@ -10,7 +10,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A verification that reads nothing for so long is not to be waited for.
+/// A verification that reads nothing for this long is given up.
 constexpr std::chrono::seconds kStandstill{10};
 
 }  // namespace
@@ -39,7 +39,7 @@ Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, 
 Result<verify::VerifyReport> VerifiedCore::finish(const std::function<void()>& meanwhile) {
     std::uint64_t seen = verification_->progress();
     auto last_progress = Clock::now();
-    // On a busy computer we ourselves may be what the core waits for.
+    // On a busy computer the core may be waiting for us.
     (void)core_.end_while([&] {
         meanwhile();
         const std::uint64_t before = std::exchange(seen, verification_->progress());

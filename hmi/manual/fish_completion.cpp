@@ -10,8 +10,8 @@
 namespace psicarve::manual {
 namespace {
 
-/// NAME stands for the functions' name. What they say: the command that stands on the line, and how many
-/// arguments come after it.
+/// NAME stands for the functions' name. They print the command on the line, and how many arguments come after
+/// it.
 constexpr const char* kFishHead = R"(function __NAME_place
     set -l command ''
     set -l count 0

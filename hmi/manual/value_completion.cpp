@@ -19,8 +19,8 @@ const Endings kModelEndings{"stl", "obj",  "ply", "3mf",  "off", "svg", "dxf", "
                             "jpg", "jpeg", "tif", "tiff", "bmp", "pgm", "csv"};
 const Endings kJobEndings{"job", "snap", "psi"};
 
-/// What the words in capitals stand for, wherever they are the type of a value. Where files are written their
-/// ending is the only thing known.
+/// The meaning of the words in capitals, wherever they are the type of a value. For a file to be written only
+/// the ending is known.
 const std::map<std::string, Endings>& endings_by_type() {
     static const std::map<std::string, Endings> endings{
         {"MODEL", kModelEndings},
@@ -78,7 +78,7 @@ const std::map<std::string, std::vector<std::string>>& words_by_type() {
     return words;
 }
 
-/// "here" of "MM|here": nothing but what is typed so.
+/// "here" of "MM|here": a word that is typed literally.
 bool is_word(const std::string& part) {
     const auto is_of_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
     return !part.empty() && std::islower(static_cast<unsigned char>(part.front())) != 0 &&
@@ -97,7 +97,7 @@ void append(std::vector<Value>& to, const std::vector<Value>& from) {
     }
 }
 
-/// `owner`: in capitals, what a FILE or a NAME is of.
+/// `owner`: in capitals, the name that a FILE or a NAME belongs to.
 void add_part(const std::string& part, const std::string& owner, ValueCompletion& completion) {
     const std::size_t dot = part.rfind('.');
     const auto words = words_by_type().find(part);

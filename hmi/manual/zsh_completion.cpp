@@ -42,7 +42,7 @@ std::string zsh_pattern(const std::vector<std::string>& endings) {
     return "*.(#i)" + (endings.size() == 1 ? all : "(" + all + ")");
 }
 
-/// What stands after the second colon of a specification.
+/// The text behind the second colon of a specification.
 std::string zsh_action(const ValueCompletion& completion) {
     if (completion.groups) return "_groups";
     if (completion.users) return "_users";

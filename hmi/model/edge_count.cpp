@@ -85,10 +85,10 @@ void weld(std::vector<Edge>& edges, double tolerance) {
     }
 }
 
-/// By the hash of a vertex: the one whose place it takes.
+/// For the hash of a vertex: the vertex whose place it takes.
 using Moves = std::vector<std::pair<std::uint64_t, Vertex>>;
 
-/// Of the vertices that welding makes one, all but the first move there.
+/// Moves all but the first of the vertices that welding joins.
 Moves moves_of(const std::vector<Edge>& edges, const std::vector<Edge>& welded) {
     std::vector<std::pair<Vertex, Vertex>> places;  // welded, as it stands
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -143,7 +143,7 @@ EdgeCounts join_torn_edges(TriangleList& triangles, double tolerance) {
     std::vector<std::uint64_t> bad;
     const EdgeCounts counts = count_all(triangles, bad);
     if (bad.empty() || !(tolerance > 0.0)) return counts;
-    // Only where something is wrong can rounding be the reason, and few vertices are welded more surely than
+    // Rounding can be the reason only where there is a fault, and few vertices are welded more safely than
     // many.
     const std::vector<Edge> edges = edges_of(triangles, bad);
     std::vector<Edge> welded = edges;

@@ -52,7 +52,7 @@ bool IndexedMesh::add_polygon(std::span<const std::uint64_t> corners) {
 Mesh IndexedMesh::finish(const std::string& format) {
     mesh_.format = format;
     mesh_.facts = check_.facts(mesh_.origin);
-    // A file whose facets each bring their own points says nothing about doubles: it is a soup, as STL is.
+    // A file whose facets each bring their own points is a soup, as STL is: doubles mean nothing there.
     std::sort(points_.begin(), points_.end());
     const auto end = std::unique(points_.begin(), points_.end());
     const auto doubled = static_cast<std::uint64_t>(points_.end() - end);

@@ -105,7 +105,7 @@ Result<Mesh> read_as(Format format, const InputFile& file) {
     return read_off(file);
 }
 
-/// What the file holds decides, then its extension; refuses what is neither.
+/// Decides by the content, then by the extension; refuses a file that fits neither.
 Result<Format> known_format(const InputFile& file) {
     if (file.size_bytes() == 0) return bad_input(file.path() + ": the file is empty");
     std::array<char, kHeadBytes> bytes{};

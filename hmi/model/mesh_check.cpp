@@ -33,7 +33,7 @@ constexpr std::size_t kMostFacetsCounted = 20'000'000;
 // hundredth of a pulse on the finest machine.
 constexpr double kWeldRatio = 0x1p-22;
 
-// One facet in so many is looked at for duplicates while reading.
+// One facet in this many is checked for duplicates while reading.
 constexpr std::uint64_t kSampledFacetsOneIn = 64;
 
 /// How often a hash follows an equal one.
@@ -44,7 +44,7 @@ std::uint64_t count_equal(std::vector<std::uint64_t>& hashes) {
     return count;
 }
 
-/// The facts of what is left after duplicates were taken out.
+/// The facts of the mesh without its duplicates.
 void look_again(Mesh& mesh) {
     MeshCheck check;
     for (const Triangle& triangle : mesh.triangles) {
@@ -59,7 +59,7 @@ void look_again(Mesh& mesh) {
     mesh.facts.coordinate_step = before.coordinate_step;
 }
 
-/// Every facet twice is not a surface behind a surface.
+/// A facet that is listed twice is not a surface behind a surface.
 void leave_out_duplicates(Mesh& mesh) {
     MeshFacts& facts = mesh.facts;
     if (mesh.triangles.size() > kMostFacetsCounted) return;

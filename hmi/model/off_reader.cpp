@@ -34,7 +34,7 @@ public:
         if (!points) return points.error();
         const auto faces = count_of("faces");
         if (!faces) return faces.error();
-        words_.skip_line();  // the count of edges, which nobody fills in
+        words_.skip_line();  // the count of edges, which programs leave 0
         for (std::uint64_t i = 0; i < *points; ++i) {
             if (auto done = take_point(i, *points); !done) return done.error();
         }

@@ -28,7 +28,7 @@ public:
         if (in_facet_) return wrong("the file ends in the middle of a facet");
         mesh_.format = "ASCII STL";
         mesh_.facts = check_.facts(mesh_.origin);
-        // Cut between two facets: the mesh itself tells whether anything is missing.
+        // Cut between two facets: the mesh itself shows whether anything is missing.
         if (in_solid_ && !mesh_.facts.closed) {
             return bad_input(path_ + ": truncated: it ends without endsolid, and the mesh has holes");
         }
@@ -58,8 +58,8 @@ private:
         if (in_facet_) return wrong("a facet without endfacet");
         in_facet_ = true;
         vertex_count_ = 0;
-        // The normal is passed over: the vertices' order says the same, and is more often right. What follows
-        // it on the same line is not.
+        // Skips the normal: the vertices' order gives the same, and is more often right. Words behind it on
+        // the same line count.
         for (std::string_view word = words_.next_in_line(); !word.empty(); word = words_.next_in_line())
             if (is_word(word, "outer") || is_word(word, "loop") || is_word(word, "vertex")) return take(word);
         return {};

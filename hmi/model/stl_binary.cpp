@@ -33,7 +33,7 @@ std::uint32_t announced_count(std::span<const char> head) noexcept {
 
 using HashState = std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)>;
 
-/// Hashes what follows the last facet: the hash is of the whole file.
+/// Hashes the bytes behind the last facet: the hash is of the whole file.
 Result<void> hash_rest(const InputFile& file, std::uint64_t offset, std::span<char> buffer,
                        XXH3_state_t* hash) {
     while (offset < file.size_bytes()) {

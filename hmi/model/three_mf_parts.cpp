@@ -53,7 +53,7 @@ private:
     std::map<std::string, std::size_t> numbers_;
 };
 
-/// What the model parts say is added to the package.
+/// Adds the content of the model parts to the package.
 class PartReader {
 public:
     PartReader(Package3mf& package, PartNames& parts) : package_(package), parts_(parts) {}

@@ -48,7 +48,7 @@ bool is_mirroring(const Placement3mf& m) noexcept {
     return determinant < 0.0;
 }
 
-/// Puts objects where the build wants them and collects their triangles.
+/// Places the build's objects and collects their triangles.
 class ThreeMfReader {
 public:
     ThreeMfReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// That all objects are there, and not too many once they are put together.
+    /// Checks that all objects are there, and not too many once they are put together.
     Result<void> check(const PlacedObject& placed, int depth) {
         const std::string name = "object " + std::to_string(placed.object.second);
         const auto found = package_.objects.find(placed.object);

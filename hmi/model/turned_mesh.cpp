@@ -77,7 +77,7 @@ Mesh turned(Mesh mesh, const MeshTurn& turn) {
     for (Triangle& triangle : mesh.triangles) {
         for (auto& vertex : triangle.vertices) {
             const Vector at = product(matrix, {vertex[0], vertex[1], vertex[2]});
-            // 0 is added so that -0 and 0, one place, stay one bit pattern.
+            // Adding 0 makes -0 to 0: one place, one bit pattern.
             for (std::size_t k = 0; k < 3; ++k) vertex[k] = static_cast<float>(at[k]) + 0.0F;
         }
         if (turn.mirror) std::swap(triangle.vertices[1], triangle.vertices[2]);

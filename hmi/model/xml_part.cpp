@@ -20,8 +20,7 @@
 namespace psicarve::model {
 namespace {
 
-// Elements within elements, and tags and comments as long as a file, take more memory and time than their
-// text.
+// Nested elements, and tags and comments as long as a file, take more memory and time than their text.
 constexpr int kDeepestElement = 100;
 constexpr std::int64_t kLongestTokenBytes = std::int64_t{1} << 20U;
 constexpr std::size_t kShownPartName = 80;
@@ -31,7 +30,7 @@ struct ParserFree {
 };
 using ParserOwner = std::unique_ptr<std::remove_pointer_t<XML_Parser>, ParserFree>;
 
-/// Feeds one part to Expat. What stands in the handlers is called by C functions: nothing is thrown there.
+/// Feeds one part to Expat. C functions call the handlers, so these throw nothing.
 class XmlWalk {
 public:
     XmlWalk(const ElementTaker& take, std::string where) : take_(take), where_(std::move(where)) {
@@ -59,7 +58,7 @@ private:
         return bad_input(where_ + std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " + what);
     }
 
-    /// What Expat keeps back is a tag or a comment that has not ended yet.
+    /// The bytes that Expat keeps back belong to a tag or a comment that has not ended yet.
     Result<void> check_token_length() const {
         const std::int64_t done_bytes = XML_GetCurrentByteIndex(parser_.get());
         if (given_bytes_ - done_bytes <= kLongestTokenBytes) return {};

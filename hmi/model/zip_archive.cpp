@@ -61,7 +61,7 @@ bool ZipArchive::has(const std::string& part) const {
     return index_of(archive_.get(), part) >= 0;
 }
 
-/// What the archive's directory says against reading this part.
+/// The reason in the archive's directory why this part cannot be read, if there is one.
 std::optional<Error> ZipArchive::refusal_of(std::uint64_t index, const std::string& part) const {
     zip_stat_t facts;
     zip_stat_init(&facts);

@@ -16,7 +16,7 @@ Colour mixed(const Colour& a, const Colour& b, double part) {
     return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
 }
 
-/// Which cells one pixel stands for: at least one.
+/// The cells of one pixel: at least one.
 struct CellRange {
     std::uint32_t first;
     std::uint32_t end;
@@ -38,7 +38,7 @@ std::int32_t largest_in(const CarvedSurface& surface, CellRange layers, CellRang
     return largest;
 }
 
-/// The layers that a row of pixels stands for in one direction: its share of the piece's height.
+/// The layers of a row of pixels in one direction: its share of the piece's height.
 CellRange spiral_layers(const CarvedSurface& surface, std::uint32_t direction, std::size_t pixel,
                         std::size_t pixels) {
     const std::uint32_t count = surface.layer_count();

@@ -81,7 +81,7 @@ Radii resample(const CarvedSurface& surface) {
     return radii;
 }
 
-/// A spiral's rows are not level: between the two of them that lie around a height in its direction.
+/// A spiral's rows are not level: interpolates between the two that lie around a height in its direction.
 float radius_at(const CarvedSurface& surface, std::uint32_t direction, double height_mm) {
     std::uint32_t above = 1;
     for (std::uint32_t end = surface.layer_count() - 1; above < end;) {
@@ -152,7 +152,7 @@ std::vector<float> blurred(const Radii& radii, std::size_t half_columns, std::si
     return result;
 }
 
-/// What lies below the mean of its surroundings sees less of the sky: an imitation of ambient occlusion.
+/// Places below the mean of their surroundings see less of the sky: an imitation of ambient occlusion.
 void shade_grooves(const Radii& radii, PieceGrid& grid) {
     const double height = std::max(1e-3, static_cast<double>(grid.top_mm - grid.bottom_mm));
     const double around = 2.0 * kPi * static_cast<double>(grid.radius_mm);

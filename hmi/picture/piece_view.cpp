@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSamples = 3;  // a side of the square of samples in each pixel
 
-/// A corner of a triangle as the viewer sees it: x to the right, y down [samples], depth towards the viewer.
+/// A corner of a triangle in the view: x to the right, y down [samples], depth towards the viewer.
 struct Corner {
     float x = 0.0F;
     float y = 0.0F;

@@ -22,7 +22,7 @@ using Align = Canvas::Align;
 constexpr Box kUnrolled{64.0, 100.0, 400.0, 380.0};
 constexpr Box kScale{484.0, 100.0, 14.0, 380.0};
 constexpr Box kBins{640.0, 100.0, 110.0, 380.0};
-// The colours are told by a scale of whole steps.
+// The colours come from a scale of whole steps.
 constexpr std::int64_t kSteps = 1000;
 constexpr double kLeastReach_mm = 0.01;
 

@@ -22,10 +22,10 @@ constexpr double kSampleShare = 0.1;
 constexpr double kDilationShare = 0.4;
 constexpr double kCutShare = 0.3;
 constexpr double kCompareShare = 0.2;
-// Steep flanks ask for so much that nothing would be seen of the rest.
+// Steep flanks need so much that nothing of the rest would be visible.
 constexpr double kAllowanceShare = 0.5;
 
-/// As far out as any corner of the box stands from the axis [mm].
+/// The greatest distance of a corner of the box from the axis [mm].
 double box_radius_mm(const PlacedModel& model) {
     const auto least = slice::placed(model.placement.up, model.mesh->facts.min);
     const auto most = slice::placed(model.placement.up, model.mesh->facts.max);

@@ -33,7 +33,7 @@ Result<StockMap> expected_piece(const verify::JobGeometry& geometry, const Profi
     const auto column_count = static_cast<std::int64_t>(stock.column_count());
     const std::int64_t stride =
         is_point ? 1 : std::max<std::int64_t>(1, geometry.rev_pulses() / (2 * column_count));
-    // Thinner than the cells: they are to be cut at every pulse, but for a drive that has very many.
+    // Ridges are thinner than the cells: cut at every pulse, except with a drive of very many pulses.
     const bool has_ridges = ridges != nullptr && !ridges->all().empty() && !is_point;
     const std::int64_t fine_stride = std::max<std::int64_t>(1, geometry.rev_pulses() / kFineSteps);
     for (std::uint32_t layer = 0; layer < geometry.layer_count(); ++layer) {

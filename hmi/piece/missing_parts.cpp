@@ -33,7 +33,7 @@ MissingParts::MissingParts(const StockMap& carved, std::span<const float> wanted
 
 double MissingParts::at_cell(std::size_t row, std::size_t column) const {
     const std::size_t columns = carved_.column_count();
-    // No blank, no fault of the tool's.
+    // Where there is no blank, the tool is not at fault.
     const double radius_mm = std::min(double{wanted_mm_[row * columns + column]}, carved_.surface_mm(column));
     double missing_mm = radius_mm - double{carved_.row(row)[column]};
     if (missing_mm <= kWorthLooking_mm) return 0.0;

@@ -12,9 +12,9 @@ namespace {
 // A small piece under a large tool needs no finer cells than the tool shows.
 constexpr double kCellsAcrossTool = 40.0;
 constexpr std::size_t kLeastColumns = 180;
-// And as much as rounding may take from it.
+// With a margin for rounding.
 constexpr double kHalfPulse = 0.500001;
-// What a point leaves above and below the layers is nobody's concern.
+// The material that a point leaves above and below the layers does not matter.
 constexpr double kLeastMargin_mm = 0.5;
 constexpr double kMostRows = 20'000.0;
 
@@ -74,7 +74,7 @@ ToolSweep sweep_of(const verify::JobGeometry& geometry, const Profile& profile, 
                      kPointReach_pulses / geometry.y_pulses_per_mm());
 }
 
-/// Neither reaches columns of the other within a sweep, so that they need not take turns.
+/// Neither head reaches the other's columns within a sweep, so that they need not take turns.
 bool are_opposite(const verify::JobGeometry& geometry) {
     const double between_rad =
         static_cast<double>(geometry.head(0).facing_pulses - geometry.head(1).facing_pulses) *

@@ -78,7 +78,7 @@ std::vector<std::byte> stl_bytes(const PieceMesh& mesh) {
     bytes.add(header);
     bytes.add(static_cast<std::uint32_t>(mesh.facets.size()));
     for (const Corners& corners : mesh.facets) {
-        bytes.add(Vertex{});  // readers work the normal out
+        bytes.add(Vertex{});  // readers calculate the normal
         for (const std::uint32_t corner : corners) bytes.add(mesh.vertices[corner]);
         bytes.add(std::uint16_t{0});
     }

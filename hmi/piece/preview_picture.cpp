@@ -45,7 +45,7 @@ verify::PieceGrid grid_of(const StockMap& piece, std::span<const std::size_t> ro
     return verify::make_piece_grid(piece.column_count(), std::move(radii_mm), std::move(heights_mm));
 }
 
-/// The blank's outline as the camera of a view sees it.
+/// The blank's outline in a view's camera.
 class BlankOutline {
 public:
     BlankOutline(const BlankProfile& blank, const verify::PieceGrid& grid)
@@ -77,11 +77,11 @@ public:
         };
         for (int k = 0; k < kOutlineSteps; ++k) {
             line(rim(k, top_mm_), rim(k + 1, top_mm_));
-            // What is behind the blank is left out.
+            // Hidden lines behind the blank are left out.
             if (faces(azimuth_deg, k) || faces(azimuth_deg, k + 1)) line(rim(k, 0.0), rim(k + 1, 0.0));
             if (faces(azimuth_deg, k) != faces(azimuth_deg, k + 1)) line(rim(k, 0.0), rim(k, top_mm_));
         }
-        // Where its own axis is, on its top.
+        // A cross at its own axis, on its top.
         const double arm_mm = 7.0 / px_per_mm;
         for (const auto& [x_mm, z_mm] : {std::pair{arm_mm, 0.0}, std::pair{0.0, arm_mm}}) {
             line({blank_.offset_x_mm - x_mm, blank_.offset_z_mm - z_mm, top_mm_},
@@ -136,7 +136,7 @@ void draw_views(Canvas& canvas, const verify::PieceGrid& grid, const BlankProfil
     }
 }
 
-/// What a line begins with; empty: it goes on with the one before.
+/// The name at a line's begin; empty: it continues the line before.
 std::string name_in(const std::string& line) {
     return line.substr(0, line.find_last_not_of(' ', kNameEnd - 1) + 1);
 }

@@ -13,14 +13,14 @@ namespace psicarve::piece {
 namespace {
 
 constexpr std::size_t kMostRidges = 2048;
-// The histogram's finest step: what stands out less is no ridge.
+// The histogram's finest step: a smaller projection is no ridge.
 constexpr double kRidge_mm = 0.01;
 constexpr double kBeside_mm = 0.02;
 constexpr double kSame_mm = 1e-3;
 constexpr std::size_t kWideCells = 5;
 
-/// A map's radii without what is less than kWideCells wide in its row: the least of so many neighbours, then
-/// the largest of those.
+/// A map's radii without features less than kWideCells wide in their row: the least of that many neighbours,
+/// then the largest of those.
 std::vector<float> without_thin_parts(std::span<const float> radii_mm, std::size_t column_count) {
     std::vector<float> wide(radii_mm.begin(), radii_mm.end());
     std::vector<float> least(column_count);
@@ -50,7 +50,7 @@ std::vector<double> heights_mm(const verify::JobGeometry& geometry) {
     return heights;
 }
 
-/// Goes along a model's edges and keeps what stands out of a map's cells.
+/// Follows a model's edges and keeps places that stand out of a map's cells.
 class RidgeSearch {
 public:
     RidgeSearch(const PlacedModel& model, const StockMap& blank, std::span<const float> wanted_mm,
@@ -110,14 +110,14 @@ private:
         const double low = std::max(first_row_ - 0.5, std::min(row_of(from[2]), row_of(to[2])));
         const double high = std::min(last_row_ + 0.5, std::max(row_of(from[2]), row_of(to[2])));
         if (low > high) return;
-        // Where layers are: a tool's flanks leave more between them.
+        // At layers: a tool's flanks leave more between them.
         const auto at_height = [&](double height_mm) { return (height_mm - from[2]) / (to[2] - from[2]); };
         const double least_mm = std::min(from[2], to[2]);
         const double most_mm = std::max(from[2], to[2]);
         for (auto height = std::lower_bound(layers_mm_.begin(), layers_mm_.end(), least_mm);
              height != layers_mm_.end() && *height <= most_mm; ++height)
             look_at(part(most_mm > least_mm ? at_height(*height) : 0.0));
-        // What a point leaves above and below its layers is nobody's concern.
+        // The material that a point leaves above and below its layers does not matter.
         if (is_point_) return;
         const double length_mm = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
         const double steps = std::max(1.0, std::ceil(length_mm / cell_mm_));
@@ -150,7 +150,7 @@ private:
         if (!is_new && entry->second.above_mm + kSame_mm < ridge.above_mm) entry->second = ridge;
     }
 
-    /// Of the cells on all sides.
+    /// The highest of the cells on all sides.
     double highest_around(double row, double column) const {
         const double most_row = static_cast<double>(blank_.row_count()) - 1.0;
         const auto low = static_cast<std::size_t>(std::clamp(std::floor(row), 0.0, most_row));
@@ -271,7 +271,7 @@ void Ridges::prick(double direction_rad, double height_mm, double tip_mm) {
         const double off_rad = std::remainder(direction_rad - ridges_[i].direction_rad, 2.0 * kPi);
         const double beside_rad = rays_[i].beside_mm / ridges_[i].radius_mm;
         const auto prick_ray = [&](std::size_t ray, double ray_rad) {
-            // Half a pulse, and what rounding may take from it.
+            // Half a pulse, and a margin for rounding.
             if (std::abs(off_rad - ray_rad) > 0.500001 * rad_per_pulse_) return;
             rays_[i].radius_mm[ray] = std::min(rays_[i].radius_mm[ray], static_cast<float>(tip_mm));
         };
@@ -289,7 +289,7 @@ double Ridges::missing_mm(std::size_t index) const noexcept {
     double missing_mm = short_by(0);
     const std::size_t count = is_point() ? 3 : kRays;
     for (std::size_t ray = 1; ray < count; ++ray) {
-        // Something as high stands that near.
+        // Material as high stands that near.
         if (short_by(ray) <= rays.beside_mm && missing_mm > rays.beside_mm) return 0.0;
         missing_mm = std::min(missing_mm, std::hypot(short_by(ray), rays.beside_mm));
     }

@@ -10,7 +10,7 @@ namespace psicarve::piece {
 
 PrickedRows::PrickedRows(double above_bottom_mm, double row_mm, double reach_mm) noexcept {
     constexpr double kMostOfRow = 0.25;
-    // And what rounding may take from it.
+    // With a margin for rounding.
     const double reach = std::min(1.000001 * reach_mm / row_mm, kMostOfRow);
     const double at = above_bottom_mm / row_mm;
     first = static_cast<std::int64_t>(std::floor(at - reach));

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kMostRings = 8;
 
-// By names, not by numbers: a sanitizer asks nothing about these, and they are most of what a deviation
-// costs.
+// Members by names, not an array: sanitizers check no index here, and this is most of the cost of a
+// deviation.
 struct Vector {
     double x;
     double y;
@@ -58,14 +58,14 @@ double triangle2(const Vector& p, const Vector& a, const Vector& b, const Vector
     return std::min(std::min(segment2(p, a, b), segment2(p, b, c)), segment2(p, a, c));
 }
 
-/// How far p is outside of what these four span along one axis.
+/// How far p is outside of the range of these four along one axis.
 double outside(double p, double a, double b, double c, double d) {
     const double below = std::min(std::min(a, b), std::min(c, d)) - p;
     const double above = p - std::max(std::max(a, b), std::max(c, d));
     return std::max(0.0, std::max(below, above));
 }
 
-/// Squared distance of p from the box around four corners: what they span is no nearer.
+/// Squared distance of p from the box around four corners: their quad is no nearer.
 double box2(const Vector& p, const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
     const Vector off{outside(p.x, a.x, b.x, c.x, d.x), outside(p.y, a.y, b.y, c.y, d.y),
                      outside(p.z, a.z, b.z, c.z, d.z)};
@@ -90,7 +90,7 @@ SurfaceDistance::Point SurfaceDistance::point(std::size_t row, std::size_t colum
     return {radius * cosine_[column], radius * sine_[column], stock_.height_mm(row)};
 }
 
-/// No more than best2.
+/// At most best2.
 double SurfaceDistance::nearest2_of_quad(const Point& from, std::size_t row, std::size_t column,
                                          double best2) const {
     const std::size_t next = column + 1 == stock_.column_count() ? 0 : column + 1;
@@ -103,8 +103,8 @@ double SurfaceDistance::nearest2_of_quad(const Point& from, std::size_t row, std
     return std::min(best2, std::min(triangle2(p, low, right, high), triangle2(p, low, high, above)));
 }
 
-/// Of the quads that touch the square of cells `ring` away, and no more than best2; ring 0 are those that
-/// meet in the cell itself.
+/// For the quads that touch the square of cells `ring` away, at most best2; ring 0 are those that meet in the
+/// cell itself.
 double SurfaceDistance::nearest2_of_ring(const Point& from, std::size_t row, std::size_t column, int ring,
                                          double best2) const {
     const auto first_row = static_cast<std::ptrdiff_t>(rows_.first);

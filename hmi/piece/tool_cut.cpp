@@ -8,7 +8,8 @@
 
 namespace psicarve::piece {
 
-// The nearest of the tool's front is tip or further out, so no ray beyond asin(R / tip) meets it.
+// The nearest point of the tool's front is at the tip or further out, so no ray beyond asin(R / tip) meets
+// it.
 ReachedColumns::ReachedColumns(const tool::Tool& tool, std::size_t column_count, double direction_rad,
                                double tip_mm) noexcept {
     const double half_rad =

@@ -11,8 +11,8 @@ namespace {
 constexpr float kNowhere = 1e30F;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-// Each shape splits ToolCut's formula, operation for operation, into terms of a place and a column and what
-// the row adds. `entry` grows with ahead, aside and sine2, and falls with what it divides by.
+// Each shape splits ToolCut's formula, operation for operation, into terms of a place and a column and the
+// row's contribution. `entry` grows with ahead, aside and sine2, and falls with its divisor.
 
 struct Seen {
     float ahead;
@@ -75,7 +75,7 @@ float best_of(const std::array<float, kCount>& values, const Better& better) {
 constexpr auto kLeast = [](float a, float b) { return a < b ? a : b; };
 constexpr auto kMost = [](float a, float b) { return a < b ? b : a; };
 
-/// Entries that none of what was bounded has further in.
+/// Bounds of entries: no bounded entry is further in.
 template <typename Shape, template <typename> typename Bounds, std::size_t kCount>
 std::array<float, kCount> bounds_of(const Shape& shape, const Bounds<std::array<float, kCount>>& of,
                                     float across2, float height2) {
@@ -142,7 +142,7 @@ std::size_t ToolSweep::block_in_row(std::size_t block) const noexcept {
     return index < blocks_in_row_ ? index : index - blocks_in_row_;
 }
 
-/// Those that any place reaches.
+/// Chooses the blocks that any place reaches.
 void ToolSweep::choose_blocks() {
     std::int64_t first = places_.front().columns.first;
     std::int64_t last = first;

@@ -12,7 +12,7 @@
 namespace psicarve::profile {
 namespace {
 
-// What is beyond these was measured or typed wrongly: nobody builds a machine so.
+// Values beyond these were measured or typed wrongly: no machine is built so.
 constexpr double kLeastDiameter_mm = 0.5;
 constexpr double kMostDiameter_mm = 1000.0;
 constexpr double kMostTipOffset_mm = 20.0;
@@ -44,11 +44,11 @@ std::size_t index_of_key(const std::string& path) {
     return i;
 }
 
-/// All of them or none, and only if the whole profile still makes sense.
+/// Sets all of them or none, and only if the whole profile stays valid.
 Result<void> set(ProfileDraft& draft, std::initializer_list<Setting> settings) {
     ProfileDraft changed = draft;
     for (const Setting& setting : settings) {
-        // As many digits as anybody can measure, and a zero without a sign.
+        // As many digits as can be measured, and a zero without a sign.
         const double value = std::round(setting.value * 1e5) / 1e5 + 0.0;
         const std::size_t key = index_of_key(setting.key);
         if (std::strtod(changed.typed(key).c_str(), nullptr) != value) changed.type(key, number(value, 5));

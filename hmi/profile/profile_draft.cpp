@@ -37,7 +37,7 @@ Result<std::string> text_of(const std::string& path) {
     return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
 }
 
-/// Each backup becomes one older; the oldest goes.
+/// Makes each backup one older; removes the oldest.
 void age_backups(const std::string& path) {
     std::error_code none_yet;
     for (int age = ProfileDraft::kOlderBackups; age > 1; --age)
@@ -71,7 +71,7 @@ Result<ProfileDraft> ProfileDraft::open(const std::string& path) {
                                       [&](const ProfileKey& each) { return each.path == problem.key; });
         if (key == keys.end()) return parse_profile(*text, path).error();
         if (read.is_each_value_read) continue;
-        // As it is written, since it says nothing else; a table in its place nobody can correct here.
+        // Keep it as written, since it means the same; a table in its place cannot be corrected here.
         auto written = value_in(*text, key->path);
         if (!written) return parse_profile(*text, path).error();
         values[static_cast<std::size_t>(key - keys.begin())] = std::move(*written);
@@ -135,7 +135,7 @@ void ProfileDraft::undo_all() {
     check();
 }
 
-/// All keys as a profile. What is no value at all is left out: it has a problem of its own already.
+/// All keys as a profile. Leaves out invalid values: they have problems of their own already.
 std::string ProfileDraft::every_value() const {
     std::string text;
     std::string_view present;
@@ -181,7 +181,7 @@ Result<std::string> ProfileDraft::new_file_text(const Profile& profile) const {
         if (!changed) return bad_input(path_ + ": " + changed.error().message);
         text = std::move(*changed);
     }
-    // Whoever loads it must find what is shown here.
+    // The file must read back to what is shown here.
     const auto read = parse_profile(text, path_);
     if (!read) return read.error();
     if (*read != profile) return bad_input(path_ + ": it would not say what is shown here; open it again");
@@ -190,7 +190,7 @@ Result<std::string> ProfileDraft::new_file_text(const Profile& profile) const {
 
 namespace {
 
-/// A profile that is kept elsewhere stays there: the link to it is no file of its own.
+/// Follows a link: a profile that is kept elsewhere stays there.
 std::string file_behind(const std::string& path) {
     std::error_code error;
     const std::filesystem::path target = std::filesystem::canonical(path, error);

@@ -27,7 +27,7 @@ Keys keys_of(std::string_view path) {
     return keys;
 }
 
-/// Whether both say the same, wherever it stands. Not toml++'s ==, for which nan is not nan.
+/// Whether both have the same value, at any place. Not toml++'s ==, for which nan is not nan.
 bool is_same(const toml::node& a, const toml::node& b) {
     if (a.type() != b.type()) return false;
     if (const toml::table* table = a.as_table()) {
@@ -62,13 +62,13 @@ Bytes bytes_of(const toml::node& node, const TextPlaces& places) {
             places.offset_of(place.end.line, place.end.column)};
 }
 
-/// How far the tables are there that lead to a key.
+/// How many of the tables that lead to a key exist.
 struct Way {
     const toml::table* table = nullptr;    ///< the innermost of them
     std::string_view rest;                 ///< of the path, from there on
     const toml::table* braces = nullptr;   ///< the innermost of them that is written `{ ... }`
     std::string_view rest_in_braces = {};  ///< of the path, from there on
-    const toml::node* next = nullptr;      ///< what has the name of the first key of the rest
+    const toml::node* next = nullptr;      ///< has the name of the first key of the rest
     bool is_whole = false;                 ///< the rest is the last key alone
 };
 
@@ -113,14 +113,14 @@ Edit insertion(std::size_t offset, std::string text) {
     return {{offset, offset}, std::move(text)};
 }
 
-/// Where a table's keys stand in the text, and where another one may.
+/// The places of a table's keys in the text, and those where another one may go.
 class TableText {
 public:
     TableText(std::string_view text, const TextPlaces& places, const toml::table& table)
         : text_{text}, places_{places}, table_{table} {}
 
-    /// What puts `line`, "key = value", into a table that is written on lines: likeliest first, and not each
-    /// does.
+    /// The edits that may put `line`, "key = value", into a table that is written on lines: likeliest first;
+    /// not each is valid.
     std::vector<Edit> below_its_lines(const std::string& line) const {
         std::vector<Edit> all;
         const toml::key* last_key = nullptr;
@@ -153,7 +153,7 @@ private:
     std::size_t begin_of(const toml::source_region& region) const {
         return places_.offset_of(region.begin.line, region.begin.column);
     }
-    /// Of a value; of a table of dotted keys, of the last of them.
+    /// End of a value; for a table of dotted keys, of the last of them.
     std::size_t end_of(const toml::node& node) const {
         const toml::table* const table = node.as_table();
         if (table == nullptr || table->is_inline()) return bytes_of(node, places_).end;

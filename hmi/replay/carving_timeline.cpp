@@ -13,7 +13,7 @@ namespace psicarve::replay {
 using verify::JobGeometry;
 using verify::kHeadCount;
 
-/// Puts the cuts down as they are made: a tip's way through a cell is one cut, when it leaves the cell.
+/// Records the cuts as they are made: a tip's way through a cell is one cut, when it leaves the cell.
 class CutWriter {
 public:
     CutWriter(CarvingTimeline& out, const JobGeometry& geometry)
@@ -79,7 +79,7 @@ private:
 
 namespace {
 
-/// How often somebody is asked whether to go on.
+/// How often the caller is asked whether to go on.
 constexpr int kParts = 200;
 
 Error cancelled() {

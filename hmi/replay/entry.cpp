@@ -17,7 +17,7 @@ using session::phrase;
 using session::Phrase;
 using session::Severity;
 
-// What a file says is not trusted: numbers that name nothing are shown as numbers.
+// A file is not trusted: numbers without a name are shown as numbers.
 template <typename Name>
 std::string named(std::uint16_t code, std::uint32_t count, Name name) {
     return code < count ? std::string{name(code)} : std::to_string(code);

@@ -38,7 +38,7 @@ std::optional<Interval> spinning(const TraceIndex& index) {
     return Interval{*from_ns, until_ns};
 }
 
-/// The job's layers by their heights: several passes come by the same one.
+/// The job's layers by their heights: several passes have layers at the same one.
 class LayersByHeight {
 public:
     explicit LayersByHeight(const verify::JobGeometry& geometry) {

@@ -27,7 +27,7 @@ void PinFollower::take(const TraceEvent& event) noexcept {
 void PinFollower::pulse(Axis axis) noexcept {
     const std::size_t k = index_of(axis);
     ++moment_.pulses[k];
-    if ((moment_.levels & bit_of(enable_of(axis))) == 0) return;  // its driver does not hear it
+    if ((moment_.levels & bit_of(enable_of(axis))) == 0) return;  // a disabled driver ignores it
     moment_.position_pulses[k] += backlash_.step(axis, (moment_.levels & bit_of(dir_of(axis))) != 0);
 }
 

@@ -13,7 +13,7 @@ constexpr std::int64_t kLength_ns = std::chrono::nanoseconds{LevelHistory::kLeng
 /// Directions turn hundreds of times a second and are seen at the next look.
 constexpr SignalWord kSeldom = ~(kStepMask | kDirMask);
 
-/// A look at what is after everything up to and with this time, told from the moment of the one before.
+/// Adds a sample of the state after everything up to and with this time, calculated from the moment before.
 void add_look(PinLooks::Looks& looks, const PinMoment& last, std::int64_t time_ns, const PinMoment& moment) {
     if (looks.empty() || looks.back().time < PinLooks::time_point(time_ns))
         looks.push_back({PinLooks::time_point(time_ns), 0, {}});

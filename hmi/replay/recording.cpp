@@ -30,7 +30,7 @@ bool is_snapshot_of_a_machine(const std::string& path) {
     return header.magic == kSnapshotMagic && header.status_bytes + header.recorder_bytes != 0;
 }
 
-/// run.trace: run.snap, run.job, run.psi; a snapshot first, as it knows more.
+/// run.trace: run.snap, run.job, run.psi; a snapshot first, since it holds more.
 std::vector<std::string> companies_beside(const std::string& path) {
     std::vector<std::string> found;
     std::filesystem::path beside{path};
@@ -52,7 +52,7 @@ Result<Company> company_of(const std::string& path) {
     return company;
 }
 
-/// Of the same job. What it records is of a trace's run only where it says so, too.
+/// For a company with the same job. Its records belong to the trace's run only if they match it, too.
 void add_records_beside(Company& company, std::vector<session::Phrase>& warnings) {
     const std::uint64_t checksum = job_checksum(company.job->blob);
     for (const std::string& path : companies_beside(company.path)) {
@@ -91,7 +91,7 @@ Result<std::unique_ptr<Recording>> as_recording(Result<std::unique_ptr<TraceReco
     return std::unique_ptr<Recording>{std::move(*opened)};
 }
 
-/// With the job that it carries; else with the first neighbour that is of the same run.
+/// With the job that it carries; else with the first neighbour of the same run.
 Result<std::unique_ptr<Recording>> open_with_company(const OpenOptions& options, const Progress& progress) {
     std::vector<std::string> refused;
     std::vector<session::Phrase> warnings;  // of those that cannot be read

@@ -91,7 +91,7 @@ void ReplayDesk::take_opened(std::shared_ptr<Recording> recording, const OpenOpt
     options_ = options;
     facts_ = recording_->facts();
     clock_.begin(facts_.end_ns);
-    // What happened last is why somebody saved a snapshot.
+    // The last events are usually the reason for a snapshot.
     clock_.seek(facts_.kind == Recording::Kind::snapshot ? facts_.end_ns : from_ns);
     sight_ = {};
     sight_.life = session::CoreLife::alive;
@@ -108,7 +108,7 @@ void ReplayDesk::leave() {
     if (!recording_) return;
     reader_.drop_waiting();
     if (drops_carving_) drops_carving_->store(true);
-    recording_.reset();  // a read that is under way keeps its own
+    recording_.reset();  // a read that is under way keeps its own reference
     facts_ = {};
     clock_.begin(0);
     has_shown_ = false;
@@ -173,7 +173,7 @@ void ReplayDesk::poll(Clock::time_point now) {
     carver_.deliver();
     const auto passed = now - std::exchange(polled_, now);
     if (!recording_) return;
-    // A window that stood still for a while does not jump ahead.
+    // After the window has stood still for a while the replay does not jump ahead.
     constexpr std::chrono::milliseconds kMostPassed{250};
     clock_.advance(std::min<Clock::duration>(passed, kMostPassed) / std::chrono::nanoseconds{1});
     ask_for_moment();
@@ -229,7 +229,7 @@ bool ReplayDesk::is_settled() const noexcept {
 }
 
 void ReplayDesk::step_layer(int by) {
-    // Found by the piece's own history: where the first cut of that layer is.
+    // Uses the piece's own history: the first cut of that layer.
     if (!timeline_ || !shown_.place || !facts_.knows_every_pulse) return;
     const auto time = timeline_->begin_of_layer(static_cast<std::int64_t>(shown_.place->layer) + by);
     if (time) clock_.seek(*time);

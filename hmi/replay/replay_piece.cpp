@@ -23,7 +23,7 @@ void ReplayPiece::want(std::int64_t time) {
     if (has_wanted_ && wanted_.load() == time) return;
     has_wanted_ = true;
     wanted_.store(time);
-    // One that is under way sees the new wish, but may just have come to its end.
+    // The task under way sees the new request, but may just have come to its end.
     lane_.drop_waiting();
     lane_.post([this]() -> session::WorkLane::Finish {
         follow();

@@ -14,7 +14,7 @@ constexpr std::size_t kMostKept = 48;
 constexpr std::size_t kLeastBetween = 2'000;  // places: cut in a few milliseconds
 constexpr int kReadParts = 200;
 constexpr double kReadShare = 0.3;
-// Places inside the blank that a way comes through are nearer to each other.
+// Places on a way inside the blank are nearer to each other.
 constexpr double kMostApart_cells = 1.0;
 
 Error was_cancelled() {
@@ -85,7 +85,7 @@ Result<std::shared_ptr<const ToolTimeline>> ToolTimeline::of_job(const JobPointe
 }
 
 void ToolTimeline::add(std::int64_t time, const verify::Positions& at) {
-    // Nothing is told of a way outside the blank, and nothing was cut on it.
+    // Ways outside the blank are not reported, and nothing was cut on them.
     if (!is_lifted_ && way_.cells_between(last_, at) > kMostApart_cells) end_stretch();
     last_ = at;
     const Place place{time, at[index_of(Axis::psi)], at[index_of(Axis::y)],
@@ -112,8 +112,8 @@ void ToolTimeline::thin() {
     stride_ = std::min(2 * stride_, most_places_);
 }
 
-/// What follows a dropped begin of a stretch is its begin: the one before is never joined to the next
-/// stretch.
+/// The place behind a dropped begin of a stretch becomes its begin: the place before is never joined to the
+/// next stretch.
 void ToolTimeline::drop_every_other(bool keeps_ends) {
     std::size_t kept = 0;
     bool is_begin_dropped = false;
@@ -186,11 +186,11 @@ PieceInTime::PieceInTime(std::shared_ptr<const ToolTimeline> timeline)
 void PieceInTime::put(std::size_t kept) {
     stock_ = timeline_.kept_[kept];
     places_ = kept * timeline_.kept_every_;
-    // A carver knows how far out its cells stand at most.
+    // A carver keeps the greatest radius of its cells.
     carver_.emplace(timeline_.geometry_, timeline_.job_->profile, stock_);
 }
 
-/// Each place by itself, so that nothing depends on where one has stopped.
+/// Each place by itself, so that the result does not depend on where an earlier call stopped.
 void PieceInTime::settle(const verify::Positions& at) {
     carver_->settle(at, true);
     carver_->settle({}, false);

@@ -24,11 +24,11 @@ Result<void> TraceCursor::jump(const TraceIndex::Keyframe& keyframe) {
     return {};
 }
 
-/// False at the end of what can be read.
+/// False at the end of the readable part.
 Result<bool> TraceCursor::refill() {
     if (is_at_end_) return false;
     const auto count = reader_->read(events_);
-    // Where the index met damage, this reader meets it again: it was told when the trace was opened.
+    // Where the index met damage, this reader meets it again: it was reported when the trace was opened.
     if (!count && index_->damage().empty()) return count.error();
     next_ = 0;
     count_ = count ? *count : 0;

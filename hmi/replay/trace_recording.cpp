@@ -56,7 +56,7 @@ Result<std::unique_ptr<TraceRecording>> TraceRecording::open(const std::string& 
     return made;
 }
 
-/// A name beside the trace's is no proof; what the heads did is.
+/// A name beside the trace's is no proof; the heads' motion is.
 Result<bool> TraceRecording::takes_job(const Company& company) {
     if (!company.job) return true;
     const auto geometry = verify::JobGeometry::make(company.job->view, company.job->profile);
@@ -88,7 +88,7 @@ void TraceRecording::warn(Phrase warning) {
     if (std::find(said.begin(), said.end(), warning) == said.end()) said.push_back(std::move(warning));
 }
 
-/// Whether the entries tell of this run: the axes must have stood where the entries say. Before homing the
+/// Whether the entries belong to this run: the axes must have stood where the entries say. Before homing the
 /// core counts from anywhere.
 bool TraceRecording::records_fit(const std::vector<FlightRecord>& records, const RecordStates& states) {
     const std::int64_t period_ns = index_->start().period_ns;

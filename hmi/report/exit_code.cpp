@@ -54,7 +54,7 @@ std::string error_json(const Error& error) {
 }
 
 std::string error_json(const Error& error, int exit_code) {
-    // Messages quote file names, which need not be UTF-8: replace what is not, rather than throw.
+    // Messages quote file names, which need not be UTF-8: replaces invalid bytes instead of throwing.
     return nlohmann::ordered_json{
         {"code", name_of(error.code)}, {"exit_code", exit_code}, {"message", error.message}}
         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -20,7 +20,7 @@ void append(std::string& text, std::int64_t number, char after) {
     text.push_back(after);
 }
 
-/// As short as reads back to the same number.
+/// The shortest text that reads back to the same number.
 void append(std::string& text, double number) {
     char digits[32];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);

@@ -10,7 +10,7 @@ namespace psicarve::report {
 std::optional<LostSteps> lost_steps_of(const AlarmRecord& alarm, std::int64_t pulses_per_rev) {
     if (alarm.cause != AlarmCause::steps_lost) return std::nullopt;
     LostSteps lost;
-    // The index stands still: that the count is further by so much means that the table is not.
+    // The index does not move: a count that is further by this much means that the table is not.
     lost.off_pulses = static_cast<std::int64_t>(static_cast<std::uint64_t>(alarm.expected) -
                                                 static_cast<std::uint64_t>(alarm.seen));
     if (pulses_per_rev > 0) lost.off_deg = deg_from_pulses(lost.off_pulses, pulses_per_rev);

@@ -10,7 +10,7 @@ namespace psicarve::report {
 namespace {
 
 constexpr std::size_t kFindingsLayers = 200;
-// Less than this behind other walls is not worth naming.
+// A smaller share behind other walls needs no mention.
 constexpr double kHiddenShare = 0.01;
 
 using slice::HiddenParts;

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a file says is not trusted: numbers that name nothing are shown as numbers.
+// A file is not trusted: numbers without a name are shown as numbers.
 template <typename Name>
 std::string named_or_number(std::uint16_t code, std::uint16_t count, Name name) {
     return code < count ? std::string{name(code)} : std::to_string(code);

@@ -26,7 +26,7 @@ Json by_axis(const Values& values) {
     return object;
 }
 
-/// The simulated machine counts as long as its core lives; a report is about one run.
+/// The simulated machine counts as long as its core lives; a report needs the counts of one run.
 std::array<std::uint64_t, kAxisCount> since_start(const std::uint64_t* before, const std::uint64_t* last) {
     std::array<std::uint64_t, kAxisCount> counts{};
     for (std::size_t i = 0; i < kAxisCount; ++i) counts[i] = last[i] - std::min(before[i], last[i]);
@@ -51,16 +51,16 @@ Json alarms_json(const RunReport& report) {
     return alarms;
 }
 
-/// ", stands -0.120 mm off": where the simulated machine has an axis, less where the core counts it; nothing
-/// where it stands right.
+/// ", stands -0.120 mm off": the simulated machine's true position of an axis minus the core's count; empty
+/// where they agree.
 std::string off_text(const CoreStatus& status, const Profile& profile, Axis axis) {
     const std::size_t k = index_of(axis);
-    // What stands in the segment may be anything.
+    // Values in the segment may be anything.
     auto off_pulses =
         static_cast<std::int64_t>(static_cast<std::uint64_t>(status.sim_true_position_pulses[k]) -
                                   static_cast<std::uint64_t>(status.position_pulses[k]));
     if (axis == Axis::psi) {
-        // Whole turns are none.
+        // Whole turns do not count.
         const std::int64_t turn = profile.psi.pulses_per_rev;
         off_pulses %= turn;
         if (off_pulses > turn / 2) off_pulses -= turn;
@@ -78,7 +78,7 @@ std::string off_text(const CoreStatus& status, const Profile& profile, Axis axis
     return text;
 }
 
-/// Pulses that left the pins and did not move the simulated machine, and by how much it is off since: the
+/// Pulses that left the pins and did not move the simulated machine, and how far its axes are off since: the
 /// pins may be right and the piece ruined.
 std::string lost_steps_text(const CoreStatus& before, const CoreStatus& after,
                             const Result<Profile>& profile) {

@@ -51,7 +51,7 @@ struct TableDifference {
     }
 };
 
-/// "axis.r1.speed_mm_s" -> its value as it stands in the TOML that we write ourselves.
+/// "axis.r1.speed_mm_s" -> its value in the TOML that we write ourselves.
 std::map<std::string, std::string> keys_of(const Profile& profile) {
     std::map<std::string, std::string> keys;
     std::istringstream lines{profile_to_toml(profile)};
@@ -128,7 +128,7 @@ void compare_records(const Snapshot& a, const Snapshot& b, Comparison& found) {
         if (std::memcmp(&a.records[i], &b.records[i], sizeof(FlightRecord)) == 0) continue;
         found.text("flight recorder entry " + std::to_string(i), record_text(a.records[i]),
                    record_text(b.records[i]));
-        return;  // what follows the first difference is its consequence
+        return;  // differences behind the first one follow from it
     }
 }
 

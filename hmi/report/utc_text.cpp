@@ -7,7 +7,7 @@
 namespace psicarve::report {
 namespace {
 
-/// A year that no clock shows is no text.
+/// Empty for a year that no calendar text can show.
 std::string utc_as(std::int64_t seconds, const char* format) {
     const auto instant = static_cast<std::time_t>(seconds);
     std::tm utc{};

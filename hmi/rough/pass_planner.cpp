@@ -16,8 +16,8 @@ constexpr double kTrifle_mm = 0.02;
 constexpr double kTrifleShare = 0.05;
 constexpr double kPointTrifle_mm = 0.002;
 constexpr double kShareBetweenRings = 0.25;
-// Over what is clear the tip keeps so far outside of where it may stand and of the stock, and rises and falls
-// by this.
+// Over clear parts the tip keeps this far outside of its limit and of the stock, and rises and falls at most
+// by this slope.
 constexpr double kLift_mm = 0.3;
 constexpr double kSlope = 0.4;
 // Rings and cells between which nothing that the tool would notice can hide.
@@ -91,7 +91,7 @@ void PassPlanner::cut_ring(std::size_t ring) {
     for (std::size_t cell = 0; cell < cells; ++cell) stock_.cut(place(cell), place((cell + 1) % cells));
 }
 
-// Rings that the stepover asks for first; those between them see what these will have left.
+// Rings that the stepover requires first; those between them see the stock that these will have left.
 std::vector<std::size_t> PassPlanner::rings_with_work() {
     const auto before = stock_.saved();
     const double probe_mm = tool_mm_ / kProbesAcrossTool;
@@ -134,7 +134,7 @@ RoughPass PassPlanner::plan(double depth_mm, std::size_t first_layer) {
                 clear_end(pass.layers.back(), ring, first_layer + pass.layers.size() - 1);
             pass.layers.push_back(std::move(layer));
         } else {
-            // One between the others that was carved before has left nothing for it.
+            // A ring between the others, carved before, has left nothing for it.
             pass.air_points = before.air_points;
         }
     }
@@ -148,7 +148,7 @@ RoughLayer PassPlanner::idle_layer(const RoughPass& pass, std::size_t layer) {
     }
     RoughPass alone;
     RoughLayer idle = make_layer(alone, ring, layer);
-    // It is a run of its own: one that is outside altogether would belie the blank (shared/job/outside.hpp).
+    // A layer that is outside altogether would contradict the blank (shared/job/outside.hpp).
     idle.raised = idle.radii;
     idle.saved_s = 0.0;
     return idle;
@@ -184,7 +184,7 @@ RoughLayer PassPlanner::make_layer(RoughPass& pass, std::size_t ring, std::size_
         made.radii[h] = std::move(row.radii);
         cuts[h] = std::move(row.cuts);
     }
-    // Nothing is cut in between, so the stock stays what it is.
+    // No cut happens in between, so the stock does not change.
     made.raised = made.radii;
     made.saved_s = raiser_.raise(made.raised, cuts);
     return made;
@@ -214,8 +214,8 @@ void PassPlanner::find_cuts(RoughPass& pass, Row& row) {
     }
 }
 
-// The least hull over where the tip may stand and over the trifles that stay there, that nowhere changes
-// faster than the slope; at a cut's edge it begins low.
+// The least hull over the tip's limits and over the trifles that stay there, that nowhere changes faster than
+// the slope; at a cut's edge it begins low.
 void PassPlanner::lift_where_clear(Row& row) const {
     const std::vector<char>& cuts = row.cuts;
     const RoughHead& head = rings_.head(row.head);
@@ -247,7 +247,7 @@ void PassPlanner::lift_where_clear(Row& row) const {
     }
 }
 
-// From ring to ring Y goes past those between them: no deeper than they allow. The other head ends in that
+// From ring to ring Y passes those between them: no deeper than they allow. The other head ends in that
 // direction, so nothing stays there.
 void PassPlanner::clear_link(Row& row, std::size_t ring_before, std::size_t point) const {
     const std::size_t cell = (row.first_cell + point) % rings_.cell_count();
@@ -260,7 +260,7 @@ void PassPlanner::clear_link(Row& row, std::size_t ring_before, std::size_t poin
     row.radii[point] = std::max(row.radii[point], std::min(clear, head.travel));
 }
 
-// The link leaves from there: what this leaves standing in one direction the finishing pass takes.
+// The link leaves from there: the finishing pass takes the material that this leaves in one direction.
 void PassPlanner::clear_end(RoughLayer& before, std::size_t ring, std::size_t layer) const {
     const std::size_t points = rings_.point_count();
     const std::size_t last =

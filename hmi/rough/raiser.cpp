@@ -15,7 +15,7 @@ constexpr double kSpeedShare = 0.9;
 constexpr double kRiseAccelShare = 0.7;
 constexpr double kLeastGain_s = 0.05;
 
-/// From rest to rest over a way, as fast as speed and acceleration let it.
+/// A motion from rest to rest over a way, at the limits of speed and acceleration.
 class Rise {
 public:
     Rise(double way_mm, double speed_mm_s, double accel_mm_s2)
@@ -76,7 +76,7 @@ double Raiser::raise(ByPoint<std::int32_t>& radii, const ByPoint<char>& cuts) co
     return before_s - least_s;
 }
 
-// Where both are clear first, then of each head alone.
+// First where both are clear, then for each head alone.
 std::vector<Raiser::Run> Raiser::runs(const ByPoint<char>& cuts) const {
     std::vector<Run> found;
     const auto add = [&](bool of_left, bool of_right) {

@@ -10,7 +10,7 @@
 namespace psicarve::rough {
 namespace {
 
-// A radius that comes out as a whole number of pulses but for the rounding of its calculation.
+// For a radius that is a whole number of pulses but for the rounding of its calculation.
 constexpr double kRounding = 1e-6;
 constexpr double kUnreachablePulses = 1e9;
 
@@ -89,7 +89,7 @@ void Rings::fill_other_half(const JobTable& table, std::size_t h) {
             for (std::size_t near = low; near <= high; ++near) {
                 for (std::size_t turn = 0; turn <= 2 * aside; ++turn) {
                     const std::size_t at = (cell + cells_ + turn - aside) % cells_;
-                    // Of that ring it is the other head's half, or this head knows better.
+                    // In that ring this is the other head's half, or this head's own table has it.
                     const std::size_t along = (at + cells_ - own_begin(near, other) % cells_) % cells_;
                     const std::size_t knows = along < points ? other : h;
                     const std::int32_t counted = tips_[knows][near * cells_ + at];

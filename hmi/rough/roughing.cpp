@@ -15,7 +15,7 @@
 namespace psicarve::rough {
 namespace {
 
-// Of the tool's diameter, where the user says nothing.
+// Of the tool's diameter, where the user gives none.
 constexpr double kFlatStepover = 0.75;
 constexpr double kBallStepover = 0.5;
 constexpr double kVeeStepover = 0.25;
@@ -31,8 +31,8 @@ Error wrong_use(const std::string& what) {
     return Error{ErrorCode::bad_usage, what};
 }
 
-/// No material is further out: the blank's surface, and the model's where that stands out of it. Heads that
-/// change their halves round it outwards once more.
+/// The radius that no material exceeds: the blank's surface, and the model's where that stands out of it.
+/// Heads that change their halves round it outwards once more.
 double furthest_material_mm(const JobTable& table, const Rings& rings, double blank_mm) {
     const auto most = [](const std::vector<std::int32_t>& radii) {
         return *std::max_element(radii.begin(), radii.end());
@@ -74,7 +74,7 @@ public:
         };
         return rings_.heads_agree() && reaches(0, table_.r_right_pulses) && reaches(1, table_.r_left_pulses);
     }
-    /// The table's own layers become the finishing pass.
+    /// Makes the table's own layers the finishing pass.
     void finish() {
         if (passes_.empty()) return;
         if (saved_s_ > longer_ways_s()) radii_ = std::move(raised_);
@@ -109,7 +109,8 @@ private:
             raised_[h].insert(raised_[h].end(), layer.raised[h].begin(), layer.raised[h].end());
         }
     }
-    /// Ways into the blank and out of it begin and end beyond all radii: what raised ones make of them.
+    /// How much longer raised heads make the ways into and out of the blank, which begin and end beyond all
+    /// radii.
     double longer_ways_s() const {
         const auto most = [](const std::vector<std::int32_t>& radii) {
             return *std::max_element(radii.begin(), radii.end());
@@ -123,7 +124,7 @@ private:
         const auto ways = static_cast<double>(passes_.size() + 1);
         return ways * further_mm * (out_s_per_mm_ + in_s_per_mm_);
     }
-    /// An odd number of half turns before them: what R1 faced, R2 faces now.
+    /// With an odd number of half turns before them R2 faces the half that R1 faced.
     void swap_heads() {
         for (std::size_t i = 0; i < table_.r_left_pulses.size(); ++i) {
             const double left_mm = rings_.head(0).real_mm(table_.r_left_pulses[i]);

@@ -52,7 +52,7 @@ CarvedScene::CarvedScene(const CarvingRecord& record, const CarvedScenePlan& pla
         row_of_layer_[layer_of(row)] = static_cast<std::uint32_t>(row);
         fill_row(record, row);
     }
-    // The lid: without it one looks into the blank.
+    // The lid: without it the view looks into the blank.
     scene_->vertices.back() = {0.0F, 0.0F, static_cast<float>(scene_->size[2] / 2.0)};
     scene_->facets = lathe_facets(round_, up_, 1);
     if (plan_.coarse_step > 1) scene_->coarse_facets = lathe_facets(round_, up_, plan_.coarse_step);

@@ -71,9 +71,9 @@ void CarvingRecord::take(const IncrementEntry& entry) {
     }
 }
 
-/// Only where the job says what is wanted: on a layer, not on the way from one to the next. The way may leave
-/// the straight line between two points by the path's tolerance, and either axis stands up to a pulse before
-/// or behind it: on a steep flank that is many pulses of radius.
+/// Only where the job has a radius: on a layer, not on the way from one to the next. The way may leave the
+/// straight line between two points by the path's tolerance, and either axis stands up to a pulse before or
+/// behind it: on a steep flank that is many pulses of radius.
 void CarvingRecord::note_deviation(std::size_t h, std::uint32_t layer, const IncrementEntry& entry,
                                    double real_mm) {
     const verify::HeadGeometry& head = geometry_.head(h);

@@ -8,7 +8,7 @@
 namespace psicarve::session {
 namespace {
 
-/// QPainter's way of drawing needs 15 ms for these.
+/// QPainter's renderer needs 15 ms for these.
 constexpr std::size_t kMostFacets = 150'000;
 constexpr double kOneLess = 0.9;  // of the cells, at least, from try to try
 

@@ -34,7 +34,7 @@ std::array<Head, 2> heads_of(const Profile& profile) {
         Head{profile.r2.pulses_per_mm, profile.r2.tip_mm(), kOpposite_deg + profile.head_r2_angle_error_deg}};
 }
 
-/// Where the table stands when a layer begins, within a turn.
+/// The table's angle within a turn at which a layer begins.
 double start_of(const cam::PreparedJob& job, std::uint32_t layer) {
     const std::int64_t per_rev = job.profile.psi.pulses_per_rev;
     return within_turn(deg_from_pulses(job.view.psi_pulses(layer, 0) % per_rev, per_rev));

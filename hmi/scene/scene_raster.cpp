@@ -20,7 +20,7 @@ Vec minus(const Vec& a, const Vec& b) noexcept {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// The picture with what stands in front of what.
+/// The picture with a depth for each pixel.
 struct Raster {
     verify::PixelImage image;
     std::vector<float> depth;
@@ -61,7 +61,7 @@ void Raster::fill(const Vec& a, const Vec& b, const Vec& c, std::uint32_t argb) 
     }
 }
 
-/// `normal` in the picture's axes, either way round: files do not always say what is outside.
+/// `normal` in the picture's axes, either way round: files do not always give the outside.
 std::uint32_t shaded(std::uint32_t rgb, const Vec& normal) noexcept {
     const double length = std::sqrt(dot(normal, normal));
     if (length == 0.0) return 0xFF000000U | rgb;

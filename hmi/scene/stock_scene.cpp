@@ -37,7 +37,7 @@ StockScene::StockScene(const CarvingRecord& record, piece::PieceFront& front, co
     scene_->vertices.resize(up_ * round_ + 1);
     scene_->vertex_rgb.resize(up_ * round_ + 1, plan_.blank_rgb);
     for (std::size_t up = 0; up < up_; ++up) fill_row(record, up);
-    // The lid: without it one looks into the blank.
+    // The lid: without it the view looks into the blank.
     scene_->vertices.back() = {0.0F, 0.0F, static_cast<float>(height_mm / 2.0)};
     scene_->facets = lathe_facets(round_, up_, 1);
     if (plan_.coarse_step > 1) scene_->coarse_facets = lathe_facets(round_, up_, plan_.coarse_step);

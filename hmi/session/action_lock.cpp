@@ -12,7 +12,7 @@ namespace {
 using S = MachineState;
 using Lock = std::optional<Phrase>;
 
-/// What any motion from rest wants.
+/// The conditions of any motion from rest.
 Lock motion_lock(const MachineSight& machine) {
     switch (machine.state()) {
         case S::alarm:
@@ -66,7 +66,7 @@ Lock job_lock(const MachineSight& machine, const JobSight& job) {
     return std::nullopt;
 }
 
-/// Whatever of the pre-flight checks has no words of its own here.
+/// The pre-flight checks that have no words of their own here.
 Lock preflight_lock(const MachineSight& machine, const JobSight& job) {
     for (const Check& check : preflight_checks(machine, job)) {
         if (check.verdict != Check::Verdict::fail) continue;

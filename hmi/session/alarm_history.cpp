@@ -18,9 +18,9 @@ bool is_same_core(const MachineSight& before, const MachineSight& after) {
     return before.status && before.core_pid == after.core_pid && before.status->tick <= after.status->tick;
 }
 
-/// Nothing where ticks do not go by the wall's clock, or nobody knows when the status was written.
+/// Nothing where the core's clock is virtual, or the time of the status is not known.
 std::optional<Time> time_of(const MachineSight& machine, const AlarmRecord& alarm) {
-    constexpr double kMostSeconds = 1e9;  // what stands in the segment may be anything
+    constexpr double kMostSeconds = 1e9;  // values in the segment may be anything
     const CoreStatus& status = *machine.status;
     if (status.is_virtual_clock != 0 || machine.status_time == Time{} || alarm.tick > status.tick)
         return std::nullopt;
@@ -35,7 +35,8 @@ bool is_latched(const MachineSight& machine, std::uint64_t number) {
            (machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off);
 }
 
-/// The machine in that alarm, as far as it is kept: an alarm that is over says nothing of switches now.
+/// The machine in that alarm, as far as it is recorded: an alarm that is over says nothing about switches
+/// now.
 MachineSight in_alarm(const MachineSight& machine, std::uint64_t number) {
     MachineSight then = machine;
     CoreStatus& status = *then.status;

@@ -52,7 +52,7 @@ Phrase limit_detail(const MachineSight& machine, Axis axis) {
         letter, shown_position(machine, axis), number_text(switch_mm, 2));
 }
 
-/// Those whose position is not certain any more.
+/// The axes whose position is no longer certain.
 std::vector<Axis> unsure_axes(const MachineSight& machine) {
     std::vector<Axis> unsure;
     for (const Axis axis : kAllAxes) {
@@ -98,7 +98,7 @@ AlarmText estop_text(const MachineSight& machine) {
     return text;
 }
 
-/// By how much, and what that has ruined.
+/// How much was lost, and which layers that has ruined.
 Phrase lost_detail(const MachineSight& machine, const AlarmRecord& alarm) {
     const auto lost = report::lost_steps_of(alarm, machine.profile ? machine.profile->psi.pulses_per_rev : 0);
     if (!lost) return phrase("The Ψ index did not come where it was expected.");

@@ -37,7 +37,7 @@ std::optional<Phrase> zero_lock(const MachineSight& machine, Axis axis) {
 std::optional<Phrase> drives_off_lock(const MachineSight& machine) {
     if (auto lock = lock_of(Action::home, machine, JobSight{})) return lock;
     const auto is_on = [&machine](Axis axis) { return machine.is_active(enable_of(axis)); };
-    // Off, a drive may hold an axis that was homed alone.
+    // In state off a drive may hold an axis that was homed alone.
     if (machine.state() == MachineState::off && std::none_of(kAllAxes.begin(), kAllAxes.end(), is_on))
         return phrase("Drives off: they are off");
     return std::nullopt;

@@ -15,8 +15,8 @@ struct Blank {
 
 }  // namespace
 
-/// Of a large job a fresh blank takes longer than a window may stand still, and so does the end of the one
-/// before; what is carved meanwhile waits in the core's ring.
+/// A fresh blank for a large job takes longer than a window may stand still, and so does freeing the old one;
+/// increments meanwhile wait in the core's ring.
 void CarvingWatch::make_blank() {
     std::shared_ptr<const CarvingRecord> record_before{std::move(record_)};
     std::shared_ptr<const LivePiece> piece_before{std::move(piece_)};
@@ -44,7 +44,7 @@ void CarvingWatch::make_blank() {
 void CarvingWatch::refresh() {
     lane_.deliver();
     const auto job = desk_.core_job();
-    // What a core had carved stands there after it is gone.
+    // The piece of a core that has ended stays visible.
     if (job != job_ && (job || machine_.sight().is_heard())) {
         job_ = job;
         job_start_tick_ = 0;
@@ -52,7 +52,7 @@ void CarvingWatch::refresh() {
     }
     const auto& status = machine_.sight().status;
     if (!job_ || !status) return machine_.skip_increments();
-    // A dry run carves nothing: what stands there stays.
+    // A dry run carves nothing: the piece stays as it is.
     if (status->is_dry != 0) return machine_.skip_increments();
     if (status->job_start_tick != job_start_tick_) {
         if (job_start_tick_ != 0) make_blank();
@@ -66,11 +66,11 @@ void CarvingWatch::refresh() {
 }
 
 void CarvingWatch::take_increments(const CoreStatus& status) {
-    // A head that is jogged stands still; nothing tells it in the increments.
+    // A jogged head cuts nothing, its spindle stands still; the increments do not show that.
     const bool runs = runs_job(status.state);
     const bool was_at_job = runs || ran_job_;
     ran_job_ = runs;
-    // What was carved before this start was another piece.
+    // Increments before this start belong to another piece.
     machine_.read_increments([&](const IncrementEntry& entry) {
         if (job_start_tick_ == 0 || entry.tick < job_start_tick_) return;
         record_->take(entry);

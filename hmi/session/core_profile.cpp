@@ -33,7 +33,7 @@ std::string profile_named_in(const std::string& command_line, const std::string&
         if (word.starts_with(std::string{kOption} + "=")) named = word.substr(kOption.size() + 1);
     }
     if (named.empty()) return {};
-    return (fs::path{folder} / named).string();  // an absolute one stays as it is
+    return (fs::path{folder} / named).string();  // an absolute path stays as it is
 }
 
 std::optional<Profile> find_core_profile(std::uint32_t core_pid, std::uint64_t hash) {

@@ -32,7 +32,7 @@ AxisReadout psi_readout(std::int64_t pulses, const Profile& profile) {
     const std::int64_t per_rev = profile.psi.pulses_per_rev;
     const std::int64_t rest = ((pulses % per_rev) + per_rev) % per_rev;
     const std::int64_t turns = (pulses - rest) / per_rev;
-    // 359.996 is shown as 0.00, not as an angle that there is not.
+    // 359.996 is shown as 0.00, not as an angle that does not exist.
     std::string value = number_text(deg_from_pulses(rest, per_rev), kDecimals);
     if (value == "360.00") value = "0.00";
     return {value, "°", turns == 1 ? phrase("1 turn") : phrase("%1 turns", count_text(turns))};
@@ -49,7 +49,7 @@ bool is_dry(const MachineSight& machine) {
     return machine.status->is_dry != 0;
 }
 
-/// On the way through the job.
+/// The place of the run in the job.
 Phrase place_of(const MachineSight& machine, std::uint32_t layer_count) {
     if (!is_dry(machine)) return layer_of(machine, layer_count);
     if (layer_count == 0) return phrase("Dry run");
@@ -162,7 +162,7 @@ bool is_cut_short(const MachineSight& machine) {
     const CoreStatus& status = *machine.status;
     if (status.job_start_tick == 0 || status.job_end_tick != 0 || status.points_done >= status.points_total)
         return false;
-    // A run that an alarm has ended before is not ended once more.
+    // A run that an earlier alarm has ended does not end again.
     return status.alarm_count < 2 ||
            status.alarms[(status.alarm_count - 2) % kAlarmHistory].tick < status.job_start_tick;
 }
@@ -256,7 +256,7 @@ std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSig
 JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds,
                    const std::optional<machine::PlannedTime>& planned) {
     JobTimes times;
-    // Of what a core that is gone had planned nothing is left.
+    // The plan of a core that has ended is no longer valid.
     const bool is_told = machine.is_heard() && machine.status && machine.status->points_total != 0;
     const bool is_running = is_told && runs_job(machine.state());
     if (is_told && machine.status->seconds_left >= 0.0 && (is_running || is_cores_job)) {

@@ -9,7 +9,7 @@ EscapeOrder escape_order(const MachineSight& machine, bool has_orders) {
         case MachineState::carving:
             return EscapeOrder::hold;
         case MachineState::waiting:
-            // Between the two commands of a start: the hold comes to the core behind the second.
+            // Between the two commands of a start: the hold reaches the core behind the second.
             return has_orders ? EscapeOrder::hold : EscapeOrder::none;
         case MachineState::homing:
         case MachineState::moving:

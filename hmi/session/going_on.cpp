@@ -15,14 +15,14 @@
 namespace psicarve::session {
 namespace {
 
-/// What is open here is the job that the core has, or had.
+/// Whether the open job is the one that the core has, or had.
 bool is_cores_job(const MachineSight& machine, const JobSight& job) noexcept {
     switch (job.state) {
         case DeskState::empty:
         case DeskState::published:
             return true;
         case DeskState::job:
-            return !machine.is_heard() && job.is_of_checkpoint;  // nobody is there to accept it
+            return !machine.is_heard() && job.is_of_checkpoint;  // there is no core to accept it
         default:
             return false;
     }
@@ -39,7 +39,7 @@ Phrase last_good(const UnfinishedPiece& piece, const cam::PreparedJob* job) {
     return phrase("Last good: layer %1, to its point %2.", layer, std::to_string(job->view.point_count()));
 }
 
-/// Of the run that this core carved, or the one that is gone.
+/// The end of the run that this core carved, or the one before it.
 std::optional<Phrase> ended_at(const MachineSight& machine) {
     if (!machine.status || machine.status->is_dry != 0) return std::nullopt;
     const CoreStatus& status = *machine.status;
@@ -59,7 +59,7 @@ std::optional<Phrase> to_do_first(const MachineSight& machine) {
     return std::nullopt;
 }
 
-/// As docs/planning.md has it.
+/// As described in docs/planning.md.
 Phrase approach(const cam::PreparedJob& job, std::uint32_t layer) {
     constexpr int kWayDecimals = 2;
     const LayerCurves curves = layer_curves(job, layer);

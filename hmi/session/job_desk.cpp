@@ -47,7 +47,7 @@ void JobDesk::post_open(const std::string& path, bool may_be_recording) {
     if (sight_.is_busy()) return;
     begin(DeskState::opening);
     refused_file_.reset();
-    // The same file again is made as the form has it.
+    // The same file again gets the form's settings.
     const bool is_same = path == path_;
     const model::MeshTurn turn = is_same ? turn_ : model::MeshTurn{};
     const std::optional<flat::FlatOptions> shape = is_same ? std::optional{shape_} : std::nullopt;
@@ -115,7 +115,7 @@ void JobDesk::turn_again() {
 void JobDesk::take_opened(const std::string& path, const TableWay& way, OpenedFile opened) {
     if (cancels_.load()) opened.error = Error{ErrorCode::cancelled, path + ": opening was cancelled"};
     const bool is_cancelled = cancels_.load();
-    // Lines that do not fit the usual cylinder are there to be given another one.
+    // Lines that do not fit the default cylinder stay open, so that the user can choose another one.
     const bool is_refused = opened.error && !is_cancelled && !opened.is_line_art;
     if (is_refused) return refuse(path, error_phrase(opened.error->message));
     if (opened.error) fail(*opened.error);
@@ -262,7 +262,7 @@ void JobDesk::take_over(const cam::PreparedJob* saved) {
     take_job(job, core_job_generation_, core_job_mesh_);
 }
 
-/// What took its time to slice is not dropped without a word.
+/// A sliced job is not dropped without a message.
 void JobDesk::tell_unkept(const cam::PreparedJob* saved) {
     const bool is_sliced = job_mesh_ != nullptr || table_way_;
     if (!job_ || !is_sliced || generation_ != 0 || job_.get() == saved) return;
@@ -310,7 +310,7 @@ void JobDesk::fetch_from_core(std::uint64_t generation) {
             core_job_mesh_.reset();
             core_job_path_.clear();
             ++edition_;
-            // What somebody has taken over stays until they take another.
+            // A job that the user has taken over stays until they take another.
             if (!mesh_ && path_.empty() && !is_taken_over()) take_job(made, generation);
         };
     });
@@ -335,12 +335,12 @@ void JobDesk::poll(const MachineSight& machine) {
     compare_profiles(machine);
     sight_.is_of_checkpoint = is_of_checkpoint(machine);
     sight_.core_layer_count = core_job() ? core_job()->view.layer_count() : 0;
-    // Of a core that is gone its segment still has the job, for whoever wants to know what it was at.
+    // The segment of a dead core still has the job, which shows what the core was carving.
     const std::uint64_t left = machine.status ? machine.status->job_generation : 0;
     if (left != 0 && left != fetched_generation_ && lane_.is_idle()) fetch_from_core(left);
 }
 
-/// The checksum is only made where it is asked for: a large job takes a while.
+/// Makes the checksum only when it is needed: a large job takes a while.
 bool JobDesk::is_of_checkpoint(const MachineSight& machine) {
     const bool is_known = machine.resumable_layer || machine.earlier_layer;
     if (machine.is_heard() || !is_known || !job_ ||
@@ -351,7 +351,7 @@ bool JobDesk::is_of_checkpoint(const MachineSight& machine) {
     return job_sum_ == machine.checkpoint_job_checksum;
 }
 
-/// Only when one of them is another: there is nothing to be found out thirty times a second.
+/// Compares only when one of them has changed: not thirty times a second.
 void JobDesk::compare_profiles(const MachineSight& machine) {
     const std::uint64_t hash = machine.profile ? machine.core_profile_hash : 0;
     const JobPointer job = job_ ? job_ : core_job();

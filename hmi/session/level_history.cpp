@@ -12,7 +12,7 @@ void LevelHistory::note(const CoreStatus& status, Clock::time_point now) {
         emitted_[k] = emitted;
     }
     looks_.push_back(look);
-    // One look older than is shown: the line begins there.
+    // One sample older than shown: the line begins there.
     while (looks_.size() > 2 && now - looks_[1].time > kLength) looks_.pop_front();
 }
 

@@ -42,7 +42,7 @@ void LivePiece::look(const Look& now) {
     const auto layer =
         static_cast<std::uint32_t>(std::min<std::uint64_t>(now.points_done / point_count_, layer_count_));
     if (!has_looked_) {
-        // What came before is not among the increments, or only its end is.
+        // Earlier motion is not among the increments, or only its end is.
         has_looked_ = true;
         const auto steps = static_cast<std::uint32_t>(now.points_done % point_count_);
         if (layer > 0) mark_unseen(0, layer - 1);
@@ -57,7 +57,7 @@ void LivePiece::look(const Look& now) {
         for (std::uint32_t i = layer_before_; i < layer; ++i) skipped_layers_ += layers_[i] == Seen::yes;
     }
     if (now.has_lost || is_too_much || has_gap_) mark_unseen(std::min(layer_before_, layer), layer);
-    // How far the machine was when the last of the lost ones was reported is told by the next look.
+    // The next look says how far the machine was when the last of the lost ones was reported.
     has_gap_ = now.has_lost || is_too_much;
     layer_before_ = layer;
     hand_over();
@@ -111,14 +111,14 @@ void LivePiece::cut(const std::vector<IncrementEntry>& entries) {
     }
 }
 
-/// The way to all places that are still to come costs next to nothing; cutting them does not.
+/// Following the way to the remaining places is cheap; cutting them is not.
 void LivePiece::settle(const verify::Positions& at) {
     if (is_dropped_.load()) return;
     carver_.settle(at, true);
     ++*places_cut_;
 }
 
-/// As often as somebody may look, or when there is nothing left to do.
+/// As often as a view may look, or when nothing is left to do.
 void LivePiece::show() {
     constexpr std::chrono::milliseconds kPauseBetweenLooks{40};
     if (is_dropped_.load()) return;

@@ -13,13 +13,13 @@ bool is_in_alarm(const MachineSight& machine) noexcept {
     return machine.status && (machine.state() == S::alarm || machine.state() == S::backing_off);
 }
 
-/// Its guard has said so, and what it did about it.
+/// Whether the guard has reported the core's death, and its own reaction.
 bool is_told_by_guard(const MachineSight& machine) noexcept {
     return machine.life == CoreLife::none && machine.status &&
            machine.status->alarm_cause == AlarmCause::core_lost;
 }
 
-/// What the core itself said last; its guard's word comes after it.
+/// The core's own last state; its guard's comes after it.
 S own_state(const MachineSight& machine) noexcept {
     return machine.heard_state.value_or(machine.state());
 }
@@ -71,7 +71,7 @@ void add_new_core(const MachineSight& machine, AlarmText& text) {
     text.steps.push_back(phrase("Home all"));
 }
 
-/// As the checkpoint has it: it outlives its core.
+/// From the checkpoint, which outlives its core.
 void add_way_on(const MachineSight& machine, AlarmText& text) {
     if (!is_within_job(machine) || machine.status->is_dry != 0) return;
     if (machine.resumable_layer) {
@@ -123,7 +123,7 @@ bool is_lost_at_work(const MachineSight& machine) noexcept {
             return false;
         case S::alarm:
         case S::backing_off:
-            // Whoever comes too late for the core's own words has its guard's.
+            // A window that comes too late for the core's own state has its guard's.
             return !machine.heard_state && is_told_by_guard(machine) && is_within_job(machine);
         default:
             return true;

@@ -48,7 +48,7 @@ void MachineSession::offer_profile(const Profile& profile) {
 }
 
 void MachineSession::take_accepted(const Profile* of_job) {
-    // What is known last of a core that is gone still counts as it did.
+    // The last known status of a dead core keeps its profile.
     if (!sight_.is_heard() || (sight_.profile && !sight_.is_profile_of_job)) return;
     sight_.is_profile_of_job = of_job != nullptr;
     sight_.profile.reset();
@@ -74,7 +74,7 @@ void MachineSession::poll() {
         Command command{};
         command.kind = CommandKind::override;
         command.value = *std::exchange(wanted_override_percent_, std::nullopt);
-        send(command, phrase("Feed override"), {});  // no reason to give up a start that is under way
+        send(command, phrase("Feed override"), {});  // no reason to drop a start that is under way
     }
 }
 
@@ -102,7 +102,7 @@ void MachineSession::keep_attached() {
 }
 
 /// Segment::core_pid() without its wait: a core may take seconds until it signs, when it plans the job that
-/// was left. Until then it is none, as it hears nothing.
+/// was left. Until then it counts as none, since it reads no commands.
 std::optional<std::uint32_t> MachineSession::core_now() noexcept {
     const auto now = Clock::now();
     const auto core = link_->segment().glance_at_core();
@@ -110,7 +110,7 @@ std::optional<std::uint32_t> MachineSession::core_now() noexcept {
         unsigned_since_.reset();
         return core && core->is_signed ? std::optional{core->pid} : std::nullopt;
     }
-    // The one before it, for an instant; or one whose process cannot be seen from here.
+    // The core before it, for an instant; or one whose process cannot be seen from here.
     if (!unsigned_since_) unsigned_since_ = now;
     return now - *unsigned_since_ < kSigningLimit ? std::nullopt : std::optional{core->pid};
 }
@@ -128,7 +128,7 @@ void MachineSession::look() {
         sight_.is_core_of_first_look = !has_looked_;
         sight_.port_name.clear();
         heartbeat_ = 0;
-        heartbeat_changed_ = now;  // a core that has just begun has its time to speak
+        heartbeat_changed_ = now;  // a core that has just begun gets its time to write
     }
     has_looked_ = true;
     if (pid && sight_.port_name.empty()) sight_.port_name = link_->port_name();
@@ -146,18 +146,18 @@ void MachineSession::look() {
 }
 
 void MachineSession::take_status(const CoreStatus& status, bool has_core) {
-    // A guard's last words come when their core is gone, and move nothing: it was heard when it was heard.
+    // A guard's last words come after the core has ended, and do not count as hearing the core.
     const bool is_of_heard_core = sight_.status && sight_.status->tick <= status.tick;
     sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, status);
     sight_.missed_per_s = missed_.note(status.missed_ticks, Clock::now());
-    // Another core may have the number of the one before.
+    // Another core may have the pid of the one before.
     if (sight_.status && !is_of_heard_core) sight_.is_core_of_first_look = false;
     sight_.status = status;
     if (has_core) {
         sight_.status_time = std::chrono::system_clock::now();
         sight_.heard_state = status.state;
     } else if (!is_of_heard_core) {
-        // Of what a dead core has left behind nobody knows when it was.
+        // The time of a dead core's status is not known.
         sight_.status_time = {};
         sight_.heard_state.reset();
     }
@@ -183,7 +183,7 @@ void MachineSession::look_for_saved_piece() {
     auto found = disk_.take();
     const bool is_wanted = may_be_saved(sight_) || sight_.is_checkpoint_from_disk;
     if (!is_wanted) {
-        saved_looked_ = {};  // whoever wants it then asks at once
+        saved_looked_ = {};  // the next request asks at once
         return sight_.saved_piece.reset();
     }
     if (found) sight_.saved_piece = std::move(*found);
@@ -206,7 +206,7 @@ void MachineSession::forget_piece(const RecordName& record) {
 void MachineSession::deliver_forgetting() {
     const auto done = forgetting_.take();
     if (!done) return;
-    saved_looked_ = {};  // what is known of it is past
+    saved_looked_ = {};  // the last result is old
     if (!*done) return log_.add(Severity::warning, refusal_phrase(phrase("Forget"), done->error().message));
     sight_.saved_piece.reset();
     log_.add(Severity::info, phrase("The unfinished piece is forgotten."));
@@ -226,7 +226,7 @@ void MachineSession::find_profile() {
     }
 }
 
-/// Once for each core that counts by a profile which nobody has given.
+/// Once for each core whose profile is not known.
 void MachineSession::look_for_profile() {
     const std::uint64_t hash = sight_.core_profile_hash;
     const bool is_known = sight_.profile && !sight_.is_profile_of_job;
@@ -264,7 +264,8 @@ void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const st
 }
 
 void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
-    // No more than the ring holds at one time: a core on the virtual clock writes faster than anybody reads.
+    // No more than the ring holds at one time: a core on the virtual clock writes faster than any reader
+    // reads.
     for (std::size_t i = 0; increments_ && i < kIncrementRingEntries; ++i) {
         const auto entry = increments_->next();
         if (!entry) return;
@@ -326,7 +327,7 @@ void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers, RunKi
     command.value2 = layers;
     const bool is_dry = kind == RunKind::dry;
     if (is_dry) command.axis = kStartsDry;
-    // Then the core itself looks once more how far it came.
+    // Then the core itself checks once more how far it came.
     if (!is_dry && layers == 0 && sight_.resumable_layer == from_layer) command.axis = kStartResumes;
     intent_.drop();
     send(command, phrase("Start"), [this] {

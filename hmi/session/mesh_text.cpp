@@ -52,7 +52,7 @@ Phrase unit_phrase(const model::MeshFacts& facts) {
     return phrase("%1", std::string{unit == "um" ? "µm" : unit});
 }
 
-/// Of an open surface nobody knows what is inside.
+/// An open surface has no volume.
 bool has_volume(const model::MeshFacts& facts) {
     return facts.closed && facts.same_orientation;
 }

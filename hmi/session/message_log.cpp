@@ -19,14 +19,14 @@ Message message(Severity severity, Phrase what, Phrase remedy = {}) {
     return {std::chrono::system_clock::now(), severity, std::move(what), std::move(remedy)};
 }
 
-/// What has to be done at once is an alarm, though there is no core to give one.
+/// A loss that needs action at once is an alarm, even without a core to raise one.
 Message lost_message(const MachineSight& machine) {
     AlarmText text = lost_core_text(machine);
     return message(Severity::alarm, std::move(text.title), std::move(text.steps.front()));
 }
 
 Message end_message(const MachineSight& before) {
-    // Where to go on from is known nowhere else once another core has begun.
+    // Once another core has begun, only this message keeps the place to continue from.
     const bool has_begun = before.status && before.status->points_done > 0 &&
                            before.status->points_done < before.status->points_total;
     return message(Severity::warning,
@@ -74,7 +74,7 @@ void tell_homed(const CoreStatus& before, const CoreStatus& after, std::vector<M
         told.back().axes = axes_text(mask);
     };
     tell(fresh, Severity::info, phrase("Homed"), {});
-    // Homing forgets what it is about to find; an alarm says itself what is to be done.
+    // Homing forgets positions that it will find; an alarm says itself what to do.
     if (after.state != MachineState::homing)
         tell(lost, Severity::info, phrase("Position not certain any more"), phrase("Home before carving"));
 }
@@ -104,14 +104,14 @@ void tell_profile(const MachineSight& before, const MachineSight& after, std::ve
                 phrase("Start psicarve-rtcore with that profile, or the window without it")));
 }
 
-/// Every time that it begins to.
+/// Reports it each time that the disk begins to refuse.
 void tell_refusing_disk(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
     if (!after.is_disk_refusing || before.is_disk_refusing) return;
     told.push_back(message(Severity::warning, phrase("The disk does not take how far the piece has come"),
                            phrase("If the power fails, do not go on by it; see to the disk.")));
 }
 
-/// When the core accepts the job, or a window begins to look.
+/// Reports it when the core accepts the job, or a window begins to look.
 void tell_disagreement(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
     auto both = disagreement(after);
     if (both && disagreement(before) != both)

@@ -22,7 +22,7 @@ constexpr double kSlack = 0.01;  // of the largest radius: less deep is not show
 
 using Vec = std::array<double, 3>;
 
-/// Where the axis passes in the turned model, file units.
+/// The axis' place in the turned model, file units.
 Result<std::array<double, 2>> axis_place(const model::Mesh& mesh, const Vec& middle, const Profile& profile,
                                          const cam::JobOptions& options, double mm_per_unit) {
     if (options.axis_at == cam::AxisAt::origin) return std::array{0.0, 0.0};
@@ -79,7 +79,7 @@ Result<ModelSight> look_at_model(const model::Mesh& mesh, const MeshScene& scene
     if (!(size[2] > 0.0)) return bad_input(mesh.source_name + ": the model has no height");
     ModelSight sight;
     sight.mm_per_unit = options.height_mm ? *options.height_mm / size[2] : options.scale.value_or(1.0);
-    // While the axis is looked for, any radius can be made to fit.
+    // During the search for the axis any radius can be made to fit.
     if (options.fits) sight.mm_per_unit = std::numeric_limits<double>::min();
     const auto axis = axis_place(mesh, middle, profile, options, sight.mm_per_unit);
     if (!axis) return axis.error();

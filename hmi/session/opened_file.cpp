@@ -18,7 +18,7 @@ OpenedMesh turned_mesh(const OpenedMesh& mesh, const model::MeshTurn& turn) {
     return turn.any() ? std::make_shared<const model::Mesh>(model::turned(*mesh, turn)) : mesh;
 }
 
-/// Lines are cut with the machine's tool into its blank, as far as it tells of them.
+/// Lines are cut with the machine's tool into its blank, if its profile has them.
 flat::FlatOptions engraved_on(const Profile& machine) {
     flat::FlatOptions options;
     options.engraving.emplace();

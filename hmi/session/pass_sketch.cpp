@@ -53,10 +53,10 @@ public:
           step_mm_(sketch.stepover_mm > 0.0 ? std::max(sketch.stepover_mm, sketch.height_mm / kRows)
                                             : sketch.height_mm / kRows) {}
 
-    /// Of the last layer that is carved at all, in the middle of the lowest band.
+    /// Height of the last layer that is carved at all, in the middle of the lowest band.
     double first_layer_mm() const { return 0.5 * band_mm_; }
     double step_mm() const { return step_mm_; }
-    /// How far in the last pass that has a layer there goes.
+    /// How far in the last pass with a layer at this height goes.
     double depth_mm(double height_mm) const {
         const auto from_below = static_cast<std::size_t>(std::max(0.0, height_mm / band_mm_));
         const std::size_t passes = depths_mm_.size();
@@ -118,7 +118,7 @@ void draw_tool(const Profile& profile, const tool::Tool& cutter, PassSketch& ske
             sketch.shank.push_back({at_mm, middle_mm + side * half_mm});
 }
 
-/// In a frame that holds it, its cutting end from the tip to beyond its flutes.
+/// The tool alone, in a frame that holds it, its cutting end from the tip to beyond its flutes.
 PassSketch tool_sketch(const Profile& profile, double height_ratio) {
     PassSketch sketch;
     if (profile.tool.shape == ToolShape::point) return sketch;

@@ -101,7 +101,7 @@ void PieceDesk::poll(const std::optional<PieceWish>& wish, const PieceScenePlan&
 void PieceDesk::begin(const PieceScenePlan& plan) {
     run_ = std::make_shared<Run>();
     lane_.post([this, wish = *wish_, plan, run = run_]() -> WorkLane::Finish {
-        // One is left for the window, and for a core on the same computer.
+        // One processor is left for the window, and for a core on the same computer.
         const slice::SliceOptions options{std::max(1U, std::thread::hardware_concurrency() / 2),
                                           [&run](double done) {
                                               run->done_ratio.store(done);

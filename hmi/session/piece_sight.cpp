@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastReach_pulses = 8.0;
 constexpr double kPercent = 100.0;
 constexpr double kMm3PerCm3 = 1000.0;
-// Pulses are told with three decimals, radii are kept in float.
+// Pulses are shown with three decimals, radii are kept in float.
 constexpr double kSamePulse_ratio = 1.001;
 
 /// Up to two digits that one can read.
@@ -28,7 +28,7 @@ double rounded_up(double value) {
     return step * std::ceil(value / step - kExact);
 }
 
-/// What is drawn of a stock map: its rows but for those between the carved ones that no layer reaches, which
+/// The rows of a stock map that are drawn: all but those between the carved ones that no layer reaches, which
 /// stand as the blank did.
 struct DrawnRows {
     std::vector<std::size_t> stock_row;
@@ -43,7 +43,7 @@ struct DrawnRows {
     }
 };
 
-/// Cells first .. end - 1 of `count` that vertex `index` of `most` stands for.
+/// Cells first .. end - 1 of `count` for vertex `index` of `most`.
 std::pair<std::size_t, std::size_t> cells_of(std::size_t index, std::size_t most, std::size_t count) {
     return {index * count / most, std::max(index * count / most + 1, (index + 1) * count / most)};
 }
@@ -65,7 +65,7 @@ public:
         const double height_mm = stock.row_mm() * static_cast<double>(stock.row_count());
         scene.size = {across_mm, across_mm, height_mm};
         for (std::size_t up = 0; up < up_; ++up) add_row(scene, up);
-        // The lid: without it one looks into the piece.
+        // The lid: without it the view looks into the piece.
         scene.vertices.push_back({0.0F, 0.0F, scene.vertices.back()[2]});
         scene.vertex_rgb.push_back(scene.vertex_rgb.back());
         scene.facets = lathe_facets(round_, up_, 1);
@@ -105,7 +105,7 @@ private:
         return vik(0.5 + 0.5 * worst_mm / sight_.reach_mm);
     }
 
-    /// A single bad cell is not to be lost among good ones.
+    /// A single bad cell must stay visible among good ones.
     double worst_of(std::pair<std::size_t, std::size_t> rows,
                     std::pair<std::size_t, std::size_t> columns) const {
         const std::vector<float>& distance_mm = piece_.deviation->distance_mm;
@@ -189,7 +189,7 @@ std::vector<Phrase> piece_lines(const PieceSight& sight) {
         lines.push_back(phrase("Removed %1 cm³", removed_cm3));
         return lines;
     }
-    // A draft's are those of its samples: a job's tips are exact.
+    // A draft's gouges come from its samples: a job's tips are exact.
     if (!sight.draft_allowance_mm) lines.push_back(gouge_line(sight.deviation->gouge));
     lines.push_back(leftover_line(sight.deviation->leftover));
     lines.push_back(phrase("Within a pulse %1 % of the surface, removed %2 cm³",

@@ -14,7 +14,7 @@
 
 namespace psicarve::session {
 
-/// Of one recording; the pins refer to the link and to the job.
+/// The data of one recording; the pins refer to the link and to the job.
 struct PinRecorder::Taken {
     Taken(machine::MachineLink machine, JobPointer carved)
         : link(std::move(machine)), job(std::move(carved)), records(link.segment().header().recorder, true) {}
@@ -28,7 +28,7 @@ PinRecorder::PinRecorder(std::string segment_name, std::string group, MessageLog
     : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log), saves_(std::move(saves)) {}
 
 PinRecorder::~PinRecorder() {
-    // One that is recording is ended here, so that its file is whole, and one that is ending has its time.
+    // Ends a recording here, so that its file is whole; one that is ending gets its time.
     if (state_ == State::ending) lane_.finish();
     lane_.drop_waiting();
     if (!taken_ || !taken_->pins || state_ != State::recording) return;
@@ -62,7 +62,8 @@ void PinRecorder::begin(const std::string& path, const JobPointer& job) {
         return [this, taken] {
             taken_ = taken;
             state_ = State::recording;
-            // Of a run before this recording. A clock that stands at rest tells nothing of before and after.
+            // The record of a run before this recording. A clock that stands at rest does not order before
+            // and after.
             run_start_tick_ = last_ ? last_->job_start_tick : 0;
             runs_ = 0;
             is_one_whole_run_ = false;
@@ -76,7 +77,7 @@ void PinRecorder::end() {
     if (state_ == State::starting) ends_once_begun_ = true;
     if (state_ != State::recording) return;
     state_ = State::ending;
-    // The file's end is written by threads of the recording's own, which are waited for here.
+    // Threads of the recording write the file's end; the lane waits for them here.
     lane_.post([this, taken = taken_, save = saves_.begin(path_)]() -> WorkLane::Finish {
         const auto report = taken->pins->finish();
         const auto no_file = taken->pins->trace_failure();
@@ -117,15 +118,15 @@ void PinRecorder::poll(const MachineSight& machine) {
     const CoreStatus& now = *last_;
     if (now.job_start_tick != run_start_tick_) {
         const auto is_whole = began_whole(now.job_start_tick);
-        if (!is_whole) return;  // a short one may be over by now: it is looked at next time
-        // A second one, one that leaves out layers, or a dry one is not the job as it is.
+        if (!is_whole) return;  // a short run may be over by now: the next call looks at it
+        // A second run, one that leaves out layers, or a dry one is not the whole job.
         is_one_whole_run_ = ++runs_ == 1 && *is_whole;
         run_start_tick_ = now.job_start_tick;
     }
     const bool is_over = runs_ != 0 && !runs_job(now.state);
     if (!is_over) return;
     if (now.points_done != now.points_total || now.job_end_tick == 0) is_one_whole_run_ = false;
-    if (is_one_whole_run_) end();  // it is all there: no need to be told
+    if (is_one_whole_run_) end();  // the run is complete: no need to be asked
 }
 
 std::optional<bool> PinRecorder::began_whole(std::uint64_t start_tick) {

@@ -70,7 +70,7 @@ Check made_check(const JobSight& job, bool core_has_job) {
     return {name, phrase("checked"), V::pass};
 }
 
-/// A job that does not keep it is never made, nor accepted by the core: what is kept is told.
+/// A job that violates it is never made, nor accepted by the core: shows what is kept.
 Check clearance_check(const MachineSight& machine, const Check& made) {
     const Phrase name = phrase("Head clearance");
     if (made.verdict != V::pass) return {name, phrase("–"), V::info};
@@ -87,8 +87,8 @@ Check published_check(const MachineSight& machine, const JobSight& job) {
     return {name, phrase("no. %1", std::to_string(generation)), V::pass};
 }
 
-/// The core takes such a job, and says so: what stands on the table is known only to who mounted it. That may
-/// well be the blank that was chosen for the job instead of the profile's.
+/// The core accepts such a job with a remark: only the person who mounted the blank knows what stands on the
+/// table. That may well be the blank that was chosen for the job instead of the profile's.
 Phrase blank_detail(const BlankDifference& difference) {
     const std::string job = number_text(difference.job_mm, 1);
     const std::string machine = number_text(difference.machine_mm, 1);
@@ -103,7 +103,7 @@ Phrase blank_detail(const BlankDifference& difference) {
     return phrase("%1 mm beside", machine);
 }
 
-/// The core refuses a job that was made for another machine; here it is told before.
+/// The core refuses a job that was made for another machine; this check shows it before.
 Check profile_check(const MachineSight& machine, const JobSight& job) {
     const Phrase name = phrase("Profile matches job");
     const bool has_core_job = machine.status && machine.status->job_generation != 0;
@@ -122,14 +122,14 @@ Check profile_check(const MachineSight& machine, const JobSight& job) {
 
 constexpr std::uint64_t kTicksPerMissed = 100'000;  // one in five seconds of a tick of 50 us
 
-/// As the command line says it of the alarm.
+/// In the words of the command line for the alarm.
 Phrase missed_remedy(const MachineSight& machine) {
     if (machine.is_simulator())
         return phrase("start the core with --clock virtual, or raise tick.missed_alarm_per_s");
     return phrase("give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s");
 }
 
-/// By what the core's alarm goes as soon as something moves; nothing while none is missed.
+/// By the rule of the core's alarm once something moves; nothing while no tick is missed.
 std::optional<Check> missed_check(const MachineSight& machine) {
     if (machine.missed_per_s == 0 || !machine.profile || machine.is_profile_of_job) return std::nullopt;
     const std::int64_t allowed_per_s = machine.profile->tick.missed_alarm_per_s;
@@ -143,7 +143,7 @@ std::optional<Check> missed_check(const MachineSight& machine) {
     return check;
 }
 
-/// What a computer too busy does to a simulated machine hurts nobody.
+/// On a simulated machine a busy computer does no harm.
 Check ticks_check(const MachineSight& machine) {
     const CoreStatus& status = *machine.status;
     const Phrase name = phrase("Real-time rights");
@@ -173,7 +173,7 @@ Check override_check(const MachineSight& machine) {
 }  // namespace
 
 std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job) {
-    // While a job runs the checks are of that one, whatever has been opened or sliced since.
+    // While a job runs the checks are about that one, whatever has been opened or sliced since.
     const JobSight shown = runs_job(machine.state()) ? JobSight{DeskState::published} : job;
     std::vector<Check> checks{core_check(machine)};
     if (!machine.status || !machine.is_heard()) return checks;

@@ -91,7 +91,7 @@ void ProfileDesk::begin(Work work, const std::string& path, ProfileDraft asked, 
     lane_.post(work == Work::saving ? saves_.noted(path, std::move(task)) : std::move(task));
 }
 
-/// Where a value is not what it was when this was asked for, somebody has typed it since.
+/// A value that has changed since the request was typed meanwhile, and stays.
 void ProfileDesk::finish(const ProfileDraft& asked, const Result<ProfileDraft>& made, const Told& told) {
     under_way_.reset();
     if (made) {

@@ -11,7 +11,7 @@
 namespace psicarve::session {
 namespace {
 
-/// The core answers before it writes the status by which it did so.
+/// The core answers before it writes the status on which the answer depends.
 constexpr std::uint64_t kHeartbeatsToSettle = 2;
 
 constexpr SignalWord kSwitches =

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Remedy::Kind;
 
-/// What stands in the field has two decimals; as it is told, one is enough.
+/// The field has two decimals; for a suggestion one is enough.
 constexpr double kHeightSteps_per_mm = 10.0;
 
 bool says(const Error& error, std::string_view words) {
@@ -32,7 +32,7 @@ std::optional<double> number_behind(const Error& error, std::string_view option)
     return read.ec == std::errc{} && value > 0.0 ? std::optional{value} : std::nullopt;
 }
 
-/// The largest that travel and blank let it be, rounded down.
+/// The largest height that travel and blank allow, rounded down.
 std::optional<Remedy> fitting_height(const model::Mesh& mesh, const Profile& profile,
                                      cam::JobOptions options) {
     options.height_mm.reset();
@@ -75,7 +75,7 @@ std::vector<Remedy> slicing_remedies(const Error& error, const model::Mesh& mesh
     const bool has_own_size = options.height_mm || options.scale || options.diameter_mm || options.fits;
     if (const auto scale = number_behind(error, "(--scale "); scale && !has_own_size)
         found.push_back({Kind::scale, *scale});
-    // One less: of as many layers as pulses two may come to the same one.
+    // One less: with as many layers as pulses two may get the same one.
     if (const auto layers = number_behind(error, "at most --layers "); layers && *layers > 1.0)
         found.push_back({Kind::layers, *layers - 1.0});
     if (says(error, "--axis-at moves the axis") && options.axis_at != cam::AxisAt::best)

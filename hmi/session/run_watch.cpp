@@ -47,7 +47,7 @@ void RunWatch::note(const MachineSight& machine, Clock::time_point now) {
 void RunWatch::begin(const CoreStatus& status, Clock::time_point now) {
     run_.emplace();
     run_->has_started = true;
-    // A run that had begun before anybody looked: what was before it cannot be told from what came since.
+    // The run began before the window looked: its earlier counts cannot be told from later ones.
     seen_from_layer_ = last_ || status.points_done == 0 ? std::nullopt : std::optional{status.layer};
     run_->before = last_.value_or(status);
     run_->before.tick = status.job_start_tick;

@@ -14,7 +14,7 @@ namespace psicarve::session {
 namespace {
 
 constexpr std::int64_t kNanoseconds = 1'000'000'000;
-/// Of the whole process somebody always takes a little.
+/// Threshold for the whole process, which always uses a little.
 constexpr std::int64_t kProcessStep_ns = 5'000'000;
 
 std::int64_t used_ns(clockid_t clock) {

@@ -20,7 +20,7 @@ Phrase origin(const SavedCheckpoint& saved) {
     return phrase("Since %1, tool %2.", since, saved.tool);
 }
 
-/// With which the piece goes on, counted from 1.
+/// The layer with which the piece continues, counted from 1.
 std::string layer_after(const Checkpoint& checkpoint) {
     return std::to_string((checkpoint.next_layer != 0 ? checkpoint.next_layer : checkpoint.earlier_layer) +
                           1);
@@ -43,7 +43,7 @@ void add_run_before(std::vector<Phrase>& to, const Checkpoint& checkpoint) {
                         std::to_string(checkpoint.earlier_layer + 1)));
 }
 
-/// What is asked about is what the disk tells of, and not another piece or run that has come there since.
+/// Whether the question is about the disk's record, and not about another piece or run since.
 bool is_of_checkpoint(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
     const Checkpoint& checkpoint = saved.checkpoint;
     return checkpoint.job_checksum == machine.checkpoint_job_checksum &&
@@ -52,13 +52,13 @@ bool is_of_checkpoint(const SavedCheckpoint& saved, const MachineSight& machine)
            checkpoint.earlier_layer == machine.earlier_layer.value_or(0);
 }
 
-/// Nobody knows the profile of a core that is not there.
+/// Without a core its profile is not known.
 bool is_other_profile(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
     return machine.is_heard() && machine.core_profile_hash != 0 &&
            machine.core_profile_hash != saved.profile_hash;
 }
 
-/// Whether it is the piece that lies on the table, only who mounted it knows.
+/// Only the person who mounted the piece knows whether it is the one on the table.
 void add_doubts(std::vector<Phrase>& to, const FoundCheckpoint& found) {
     if (found.keeper == Keeper::other_core)
         to.push_back(phrase("This core keeps pieces elsewhere, or nowhere: it is another core's."));
@@ -89,7 +89,7 @@ std::optional<Phrase> disagreement(const MachineSight& machine) {
         {{"segment: layer %1, disk: %2; where this piece goes on%3",
           phrase("The computer's memory says %1 layers, its disk %2: the lower number is taken.")}},
         std::string_view{machine.job_remark}.substr(at));
-    // What was carved since is known.
+    // Once more was carved the place is known.
     if (!both || !machine.status || has_carved_since(*machine.status)) return std::nullopt;
     both->arguments.pop_back();
     return both;

@@ -4,7 +4,8 @@
 namespace psicarve::session {
 namespace {
 
-// One status may have been sampled before the command was seen and be written after it; the next not.
+// One status may have been sampled before the core saw the command and be written after it; the next one is
+// new.
 constexpr std::uint64_t kFreshAfter = 2;
 
 }  // namespace

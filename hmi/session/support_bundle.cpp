@@ -33,7 +33,7 @@ Result<void> save_segment(const SupportBundle& bundle, const fs::path& path) {
     return save_snapshot(*snapshot, path.string(), bundle.group);
 }
 
-/// What could not be copied, a line each.
+/// Copies the logs; returns those that could not be copied, a line each.
 std::string copy_logs(const std::string& from, const fs::path& into) {
     std::string missing;
     std::error_code error;

@@ -88,7 +88,7 @@ std::uint64_t MissedMeter::missed_in_second_before(std::size_t last) const {
     constexpr std::chrono::seconds kSecond{1};
     const Sample& end = samples_[last];
     const auto step = end.time - samples_[last - 1].time;
-    // Nobody has looked for longer: as many in each second as in any other.
+    // After a longer pause: spreads the missed ticks evenly over its seconds.
     if (step > kSecond) {
         const auto missed = static_cast<double>(end.missed - samples_[last - 1].missed);
         return static_cast<std::uint64_t>(missed / std::chrono::duration<double>(step).count());

@@ -17,7 +17,7 @@ namespace {
 
 using JobPointer = std::shared_ptr<const cam::PreparedJob>;
 
-/// That which is open, if the trace carries it or no whole one; else the trace's only one.
+/// The open job, if the trace carries it or no whole one; else the trace's only one.
 Result<JobPointer> job_of(const std::string& path, const JobPointer& open_job) {
     if (open_job && verify::check_is_of_trace(path, job_checksum(open_job->blob), {})) return open_job;
     auto blob = verify::only_carried_job(path, "open the one that is meant");

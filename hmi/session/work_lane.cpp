@@ -70,7 +70,7 @@ void WorkLane::work(Haste haste) {
         is_working_ = true;
         lock.unlock();
         Finish finish = task();
-        task = nullptr;  // what it holds goes here, not under the lock
+        task = nullptr;  // releases what the task holds here, not under the lock
         lock.lock();
         is_working_ = false;
         finished_.push_back(std::move(finish));

@@ -89,7 +89,7 @@ struct LayerScan::Wall {
     std::uint32_t count;  ///< kOutside or kInside
 };
 
-/// A wall with the cells that it stands in: [from, to), or, where it passes angle 0, [from, end) and [0, to).
+/// A wall with its cells: [from, to), or, where it passes angle 0, [from, end) and [0, to).
 struct LayerScan::SeenWall {
     Wall wall;
     std::uint32_t from;
@@ -152,7 +152,8 @@ bool LayerScan::see(const SectionSegment& segment, const Ends& ends, SeenWall& s
     // The short way round is the way the segment goes: opposite directions are exactly 2 apart.
     const double turn = q_angle - p_angle;
     seen.wraps = std::abs(turn) > 2.0;
-    // Round by angle 0 from a cell to the same one a segment passes all directions, if they are so few.
+    // If there are so few directions, a segment passes all of them round by angle 0 from a cell to the same
+    // one.
     if (p_cell == q_cell && !seen.wraps) return false;
     const bool counter_clockwise = (turn > 0.0) != seen.wraps;
     seen.wall = {px, py, qx - px, qy - py, counter_clockwise ? kOutside : kInside};
@@ -220,8 +221,8 @@ const LayerTotals& LayerScan::finish() noexcept {
         totals.empty_cells += walls == 0 ? 1 : 0;
         totals.hidden_walls += walls > 1 ? walls - 1 : 0;
         const std::uint32_t excess = outsides - insides;
-        // Of overlapping solids that share the axis two walls lead out and none in. An odd count alone says
-        // so, too, whichever way its facets look.
+        // Of overlapping solids that share the axis two walls lead out and none in. An odd count alone shows
+        // that, too, whichever way its facets look.
         inside += excess != 0 ? 1 : 0;
         totals.turned_cells += excess > 1 ? 1 : 0;
         totals.outer_sum += outer_[k];

@@ -33,7 +33,8 @@ struct Rows {
     std::size_t count() const noexcept { return tops.size(); }
 };
 
-/// What the threads share. Layers are split into one range a thread; a layer's cells belong to one thread.
+/// The data that the threads share. Layers are split into one range a thread; a layer's cells belong to one
+/// thread.
 struct Work {
     const model::TriangleList& triangles;
     const LayerBuckets& buckets;
@@ -144,7 +145,7 @@ std::vector<std::size_t> split_layers(const std::vector<std::uint32_t>& cut_coun
 
 void run_workers(std::vector<RangeWorker>& workers, const Progress& progress) {
     std::vector<std::thread> threads;
-    std::vector<RangeWorker*> left;  // a thread the system does not give is work for this one
+    std::vector<RangeWorker*> left;  // this thread does the work of one that the system does not give
     for (std::size_t i = 1; i < workers.size(); ++i) {
         try {
             threads.emplace_back([worker = &workers[i]] { worker->run(nullptr); });

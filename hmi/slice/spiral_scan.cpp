@@ -27,7 +27,7 @@ Width width_of(const std::array<FacetCutter::Corner, 3>& corners) noexcept {
         holds_axis = holds_axis || (corners[i].x == 0.0 && corners[i].y == 0.0);
     }
     std::sort(angle.begin(), angle.end());
-    // What does not hold the axis is seen under less than half a turn: the rest is one gap.
+    // A facet without the axis is seen under less than half a turn: the rest is one gap.
     if (!holds_axis && angle[2] - angle[0] < kHalfTurn) return {angle[0], angle[2], false};
     if (!holds_axis && angle[1] - angle[0] > kHalfTurn) return {angle[1], angle[0], false};
     if (!holds_axis && angle[2] - angle[1] > kHalfTurn) return {angle[2], angle[1], false};

@@ -44,7 +44,7 @@ double CarvedSurface::height_mm(std::uint32_t layer, std::uint32_t direction) co
 
 void CarvedSurface::note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept {
     std::int16_t& kept = deviation_[std::size_t{layer} * direction_count() + cell];
-    if (kept == kWithoutPoint && pulses >= 0) return;  // nothing was asked for here
+    if (kept == kWithoutPoint && pulses >= 0) return;  // no point of the job is here
     const std::int64_t bounded = std::clamp<std::int64_t>(pulses, -kLargest, kLargest);
     if (bounded < kept) kept = static_cast<std::int16_t>(bounded);
 }

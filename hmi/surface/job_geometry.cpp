@@ -146,8 +146,8 @@ std::optional<double> JobGeometry::on_row(std::size_t h, std::uint32_t row, std:
     const std::uint32_t layer = first_row_layer() + row;
     const std::int64_t start = job_.psi_pulses(layer, 0);
     std::int64_t along = wrapped(direction_pulses - heads_[h].facing_pulses - start, rev_pulses_);
-    if (along == 0 && job_.is_joint(layer, 0)) return std::nullopt;  // the row before says it
-    // Between the two heads' halves the angle error leaves a gap; the nearer end speaks for it.
+    if (along == 0 && job_.is_joint(layer, 0)) return std::nullopt;  // the row before has it
+    // The angle error leaves a gap between the two heads' halves; the nearer end counts for it.
     const std::int64_t gap =
         bridging == Gap::bridged ? std::abs(heads_[1].facing_pulses - rev_pulses_ / 2) : 0;
     if (along > sweep && along <= sweep + gap) along = sweep;

@@ -62,9 +62,9 @@ Line line_of(const Seen& from, const Seen& to, double radius) {
     return {{from.across, from.up, std::max(from.out, to.out)}, 1.0, 0.0, 0.0, 0.0};
 }
 
-/// What a tool's shape makes of a line: where on it, from the foot of the tool's axis on, it would touch, and
-/// how far behind the tip. `reach2` and `reach`: how far the line is within the tool to both sides of the
-/// foot; `off2`: squared distance of the foot from the axis.
+/// The contact of a tool's shape with a line: where on it, from the foot of the tool's axis on, it would
+/// touch, and how far behind the tip. `reach2` and `reach`: how far the line is within the tool to both sides
+/// of the foot; `off2`: squared distance of the foot from the axis.
 struct BallOnLine {
     double share;
     double radius;
@@ -98,8 +98,8 @@ struct VeeOnLine {
     }
 };
 
-// The height over the line falls off to both sides of the place that the shape names, so the nearest place
-// that the edge has is the best of it.
+// The height over the line falls off to both sides of the shape's contact, so the edge's nearest place to it
+// is its best.
 template <typename Shape>
 void touch_line(const Line& line, const Shape& shape, double radius, RowRange rows, const Column& column) {
     const double radius2 = radius * radius;
@@ -134,7 +134,7 @@ PlaneContact plane_contact(const Tool& tool, double flank_slope, const Seen& nor
         return {-tool.radius * normal.across, -tool.radius * normal.up, tool.radius * (1.0 - normal.out)};
     }
     const double tilt = std::sqrt(normal.across * normal.across + normal.up * normal.up);
-    // The tip stands on what is less steep than the flank; else the rim does.
+    // The tip stands on planes less steep than the flank; on others the rim does.
     if (tilt <= flank_slope * normal.out || tilt == 0.0) return {};
     return {-tool.radius * normal.across / tilt, -tool.radius * normal.up / tilt, tool.radius * flank_slope};
 }

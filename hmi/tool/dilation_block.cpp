@@ -65,9 +65,9 @@ void DilationBlock::fill_rows_of(std::vector<float>& tips) {
     }
 }
 
-/// At its own place a tool stands on the sample, at least. Mostly the sample that held the tip in the same
-/// lane of the block before has one as far on as the block that holds this one, or one a few columns or a
-/// row beside it does: with good tips to begin with nearly all else is left out. Lanes past the seam go on at
+/// At its own place a tool stands at least on the sample. Usually the sample that held the tip in the same
+/// lane of the block before shows which one holds this tip: one as far on as the block, or one a few columns
+/// or a row beside it: with good tips to begin with nearly all else is left out. Lanes past the seam go on at
 /// the turn's begin.
 template <Shape kShape>
 void DilationBlock::begin(std::size_t first_column) {
@@ -95,7 +95,7 @@ void DilationBlock::begin(std::size_t first_column) {
     }
 }
 
-/// Tries the samples that stand so far from the contacts.
+/// Tries the samples at this distance from the contacts.
 template <Shape kShape>
 void DilationBlock::try_contacts(std::size_t row, std::int32_t rows_on, std::int32_t columns_on) {
     const SampledRadii& surface = scene_.surface;
@@ -201,7 +201,7 @@ void DilationBlock::set_disc() {
     view_.distance = view_.reach + 0.5F * std::abs(least + most);
 }
 
-/// All tiles that are not out of reach: coarse ones first.
+/// Searches all tiles that are not out of reach: coarse ones first.
 template <Shape kShape>
 void DilationBlock::seek_coarse() {
     const double tile = scene_.surface.row_pitch * static_cast<double>(kCoarseSide);
@@ -311,7 +311,7 @@ bool DilationBlock::try_tile(std::size_t row, std::size_t lane, std::size_t tile
         at.radius += i * columns;
         at.row = static_cast<std::int32_t>(first_row + i);
         at.up2 = up2[i];
-        // Tips that a row before has raised may be out of this one's reach.
+        // Tips that an earlier row has raised may be out of this one's reach.
         const bool is_tested = is_whole && !has_raised;
         if (!is_tested && !may_raise<kShape>(scene_.tool, at, scene_.table, held.tips)) continue;
         raise<kShape>(scene_.tool, at, scene_.table, held);

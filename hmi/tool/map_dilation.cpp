@@ -31,7 +31,7 @@ public:
             for (std::size_t i = 1; i < std::min<std::size_t>(thread_count, block_count_); ++i)
                 threads.emplace_back([this] { run(false); });
         } catch (const std::system_error&) {
-            // A thread that the system does not give: this one does its work.
+            // This thread does the work of one that the system does not give.
         }
         run(true);
         for (std::thread& thread : threads) thread.join();

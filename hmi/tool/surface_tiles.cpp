@@ -46,7 +46,7 @@ public:
         y_[count_] = y;
         z_[count_++] = z;
     }
-    /// Makes the last four full by the last one, over again.
+    /// Fills the last four with copies of the last place.
     void fill_up() noexcept {
         for (std::size_t i = count_; i % kQuad != 0; ++i) {
             x_[i] = x_[count_ - 1];

@@ -16,7 +16,7 @@
 namespace psicarve::tool {
 namespace {
 
-// So many columns are filled at once: their tips stay in the cache while all parts go by.
+// This many columns are filled at once: their tips stay in the cache while all parts go by.
 constexpr std::size_t kColumnsAtOnce = 32;
 
 template <typename Part>
@@ -45,8 +45,8 @@ public:
     std::size_t block_count() const noexcept { return block_count_; }
     bool is_cancelled() const noexcept { return is_cancelled_; }
 
-    /// Block after block until none is left. Only one thread tells how far it is: before each block, so that
-    /// it is asked once at least, whatever the others have done by then.
+    /// Takes block after block until none is left. Only one thread reports the progress: before each block,
+    /// so that it asks at least once, whatever the others have done by then.
     void run(bool tells) {
         for (;;) {
             if (tells) tell();
@@ -112,7 +112,7 @@ void run_on_threads(OffsetWork& work, unsigned thread_count) {
             threads.emplace_back([&work] { work.run(false); });
         }
     } catch (const std::system_error&) {
-        // A thread that the system does not give: this one does its work.
+        // This thread does the work of one that the system does not give.
     }
     work.run(true);
     for (std::thread& thread : threads) thread.join();

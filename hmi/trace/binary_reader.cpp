@@ -158,7 +158,7 @@ BinaryReader::Decoded BinaryReader::decode(TraceEvent& event) {
     return kind == TraceRecordKind::end ? Decoded::end : Decoded::event;
 }
 
-/// Of the record at the source's front, to whose blob it goes; its length.
+/// Reads the head of the record at the source's front; the job gets its blob. Returns the blob's length.
 Result<std::uint64_t> BinaryReader::pass_job_head(Job& job) {
     for (;;) {
         const std::string_view bytes = source_.unread();
@@ -189,7 +189,7 @@ Result<std::uint64_t> BinaryReader::pass_job_head(Job& job) {
 Result<void> BinaryReader::pass_job(Job& job, bool keeps_blob) {
     const auto job_bytes = pass_job_head(job);
     if (!job_bytes) return job_bytes.error();
-    // Room is made for what is there, whatever the record says of its length.
+    // Allocates memory only for bytes that are there, whatever length the record claims.
     for (std::uint64_t left = *job_bytes; left > 0;) {
         const std::string_view bytes = source_.unread().substr(0, left);
         if (keeps_blob) {
@@ -250,14 +250,14 @@ Result<std::size_t> BinaryReader::read(std::span<TraceEvent> events) {
         if (decoded == Decoded::event) {
             ++count;
         } else if (decoded == Decoded::end) {
-            // The last event carries the time that the trace covers, so that nobody mistakes silence for an
+            // The last event carries the time that the trace covers, so that silence is not mistaken for an
             // end.
             ended_ = true;
             events[count].kind = TraceEvent::Kind::pins;
             events[count].position_pulses = {};
             ++count;
         } else if (count > 0) {
-            return count;  // what is wrong is told by the next call
+            return count;  // the next call reports the fault
         } else if (decoded == Decoded::job) {
             Job job;
             if (const auto passed = pass_job(job, false); !passed) return passed.error();

@@ -21,7 +21,7 @@ namespace {
 
 using Reader = std::unique_ptr<BinaryReader>;
 
-/// Null: of a form or version that carries no job, or no file at all but a pipe, which is read once only.
+/// Null: a form or version that carries no job, or a pipe, which can be read only once.
 Result<Reader> open_for_jobs(const std::string& path) {
     if (!is_binary_trace(path)) return Reader{};
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -31,7 +31,7 @@ Result<Reader> open_for_jobs(const std::string& path) {
     return reader;
 }
 
-/// Of what carries no job: why it is no trace at all, or cannot give one.
+/// For a file that carries no job: why it is no trace at all, or cannot give one.
 Result<void> check_is_trace(const std::string& path, const std::string& remedy) {
     struct stat facts {};
     if (::stat(path.c_str(), &facts) != 0)
@@ -46,7 +46,7 @@ Result<void> check_is_trace(const std::string& path, const std::string& remedy) 
 }  // namespace
 
 bool is_binary_trace(const std::string& path) {
-    // Not to wait for a writer that a pipe may never have.
+    // Without waiting for a writer that a pipe may never have.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) return false;
     std::uint64_t magic = 0;
@@ -75,7 +75,7 @@ Result<std::optional<std::vector<std::byte>>> only_carried_job(const std::string
     if (!*first) return std::optional<std::vector<std::byte>>{};
     for (;;) {
         const auto job = (*reader)->next_job(false);
-        if (!job || !*job) break;  // what is damaged behind it is left for the trace's reader to tell
+        if (!job || !*job) break;  // the trace's reader reports damage behind it
         if ((*job)->checksum != (*first)->checksum)
             return bad_input(std::string{path}.append(": carries several jobs; ").append(remedy));
     }

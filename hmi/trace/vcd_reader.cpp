@@ -67,7 +67,7 @@ Result<bool> VcdReader::wait_for_word(std::string_view& word) {
     }
 }
 
-/// Up to where the values at the first instant are known: the end of $dumpvars, or the second time.
+/// Reads up to where the values at the first instant are known: the end of $dumpvars, or the second time.
 Result<void> VcdReader::read_opening() {
     while (!opened_) {
         std::string_view word;
@@ -122,7 +122,7 @@ Result<std::size_t> VcdReader::read(std::span<TraceEvent> events) {
 /// Takes the word at the source's front and consumes it.
 Result<void> VcdReader::take_front(std::string_view word) {
     auto taken = take(word);
-    // Every word of a whole dump is followed by white space, but for the last one, which then makes sense.
+    // White space follows every word of a whole dump except the last one, which then makes sense.
     const bool is_cut_off = !taken && source_.at_end() && source_.unread().size() == word_bytes_;
     if (is_cut_off) taken = source_.bad_at(word_bytes_, "the dump is cut off inside its last word");
     source_.consume(word_bytes_);
@@ -177,7 +177,7 @@ Result<void> VcdReader::take(std::string_view word) {
 Result<void> VcdReader::take_keyword(std::string_view word) {
     if (word == "$dumpvars" || word == "$dumpon" || word == "$dumpoff" || word == "$dumpall") return {};
     if (word == "$end") {
-        // Only $dumpvars and its kin get here: the first instant's values are told.
+        // Only $dumpvars and its kin get here: the first instant's values are complete.
         if (declared_ && !opened_ && has_time_) {
             start_.initial_levels = told_ = levels_;
             changed_ = 0;

@@ -41,7 +41,7 @@ bool LiftFilter::goes_on_with_lift(const Instant& instant) const noexcept {
 }
 
 // On a straight way from rest both heads have done the same share of it, but for gaps of their screws that
-// either had to cross first. Turned round and sent out again, they start anew from wherever they are.
+// either had to cross first. Heads that turn back and go out again start anew from wherever they are.
 bool LiftFilter::went_together() const noexcept {
     Positions furthest = base_.positions;
     for (const Instant& instant : held_) {

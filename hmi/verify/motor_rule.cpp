@@ -12,7 +12,7 @@ namespace psicarve::verify {
 
 namespace {
 
-/// Sets of states are exact to less than this: what is called an offence is one.
+/// Sets of states are exact to less than this: every reported offence is one.
 constexpr double kTolerance_ratio = 1.001;
 constexpr std::size_t kHistory = 2048;  ///< pulses that a demand is measured on
 constexpr std::size_t kGathered = 512;  ///< of them after the offence
@@ -107,7 +107,7 @@ void MotorRule::finish(std::int64_t time_ns) {
     }
 }
 
-/// Now that enough is known of what came after, says how much was asked for around there.
+/// Once enough of the following events are known, reports the demand around the offence.
 void MotorRule::describe(Axis axis) {
     Train& train = trains_[index_of(axis)];
     if (!std::exchange(train.is_broken, false)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where carving begins and ends, as rule 1 sees it.
+// Part of rule 1: where carving begins and ends.
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -12,7 +12,7 @@ namespace psicarve::verify {
 void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
     if (phase_ != Phase::approach) end_attempt(time_ns);
     if (!ended_at_ && !is_complete_) {
-        // Whatever was counted before the first homing meant nothing.
+        // The motion before the first homing does not count.
         if (surface_ != nullptr) surface_->clear();
         log_.restore(1, before_attempt_);
     }
@@ -49,7 +49,7 @@ std::optional<std::uint32_t> PathRule::layer_that_begins(const Positions& at) {
     return found;
 }
 
-/// The first of which not all points were visited yet.
+/// The first layer of which not all points were visited yet.
 std::uint32_t PathRule::due_layer() const noexcept {
     std::uint32_t layer = geometry_.first_layer();
     while (layer < geometry_.end_layer() && visited_of_[layer] >= geometry_.point_count()) ++layer;
@@ -67,7 +67,7 @@ bool PathRule::may_begin(const Positions& at) const noexcept {
 bool PathRule::begin_layer(std::int64_t time_ns, const Positions& at) {
     const auto layer = layer_that_begins(at);
     if (!layer || (phase_ != Phase::approach && *layer == begun_layer_)) return false;
-    // Carving comes by where it is not to begin.
+    // Carving passes a place where it must not begin.
     if (is_elsewhere_ && geometry_.job().is_joint(*layer, 0)) return false;
     if (phase_ != Phase::approach) log_.restore(1, at_start_);
     phase_ = Phase::approach;
@@ -97,7 +97,7 @@ void PathRule::follow_approach(std::int64_t time_ns, const Positions& at, bool s
     follow_segment(time_ns, now);
 }
 
-/// Carving begins with a layer: with the first one anew, or goes on with one after it.
+/// Begins to carve with a layer: with the first one anew, or goes on with a later one.
 void PathRule::start(std::uint32_t layer, std::int64_t time_ns, std::int64_t psi_pulses) {
     const std::int64_t rev = geometry_.rev_pulses();
     const std::int64_t first = geometry_.target(layer, 0)[kPsi];

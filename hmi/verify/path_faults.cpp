@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How rule 1 names what it finds: the part of PathRule that makes words, apart from the part that follows the
-// pins.
+// Part of rule 1: words for its findings, apart from the part that follows the pins.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -40,7 +39,7 @@ void PathRule::miss(std::int64_t time_ns, const Positions& at) {
     }
     consider(Axis::y, at[kY]);
     if (const auto alone = near_.only_axis_off()) {
-        // All others met there: it is the one that has lost its way.
+        // All other axes met there: so this one has lost its way.
         worst = *alone;
         worst_off = near_.most_off;
         measured = near_.at[index_of(worst)];
@@ -96,7 +95,7 @@ void PathRule::stray(std::int64_t time_ns, std::size_t h, const PathLine::Distan
     if (std::exchange(strayed_, true)) return;
     Offence offence;
     if (const auto alone = axis_short_of_layers_end(); alone && *alone != kHeads[h]) {
-        // The head leaves the layer in good faith.
+        // This head is not at fault: another axis missed the layer's last point.
         offence = missed_by(*alone, near_.at[index_of(*alone)]);
         is_miss_told_ = true;
     } else {
@@ -112,7 +111,7 @@ void PathRule::stray(std::int64_t time_ns, std::size_t h, const PathLine::Distan
     if (!is_outward_) keep_retraction();
 }
 
-/// It was none: what was found on the way counts.
+/// The motion was no retraction: the findings on the way count.
 void PathRule::keep_retraction() {
     max_line_mm_ = std::max(max_line_mm_, retraction_.max_line_mm);
     max_line_pulses_ = std::max(max_line_pulses_, retraction_.max_line_pulses);
@@ -122,7 +121,7 @@ void PathRule::keep_retraction() {
 
 void PathRule::stray_in_height(std::int64_t time_ns, const Positions& at) {
     const bool is_spiral = geometry_.is_spiral() && layer_ >= geometry_.first_row_layer();
-    // Y moves on: it will not come.
+    // Y moves on: the point will not be reached.
     if (!is_spiral && step_ + 1 == geometry_.point_count()) return miss(time_ns, at);
     if (!std::exchange(strayed_, true) && log_.count(1, time_ns)) {
         Offence offence;
@@ -156,7 +155,7 @@ void PathRule::wrong_layer(std::int64_t time_ns, const Positions& at, std::uint3
     }
     if (layer > layer_) {
         aim(layer, 0);
-        strayed_ = true;  // the jump is told
+        strayed_ = true;  // the jump is reported
     }
 }
 
@@ -164,7 +163,8 @@ void PathRule::touch(std::int64_t time_ns, const Positions& at) {
     for (std::size_t h = 0; h < kHeadCount; ++h) touch_head(h, time_ns, at);
 }
 
-/// A tip somewhere off the lines between points: carves, and must not stand deeper than the job asks there.
+/// A tip somewhere off the lines between points: carves, and must not stand deeper than the job's surface
+/// there.
 void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& at) {
     const HeadGeometry& head = geometry_.head(h);
     const std::int64_t radius = at[index_of(kHeads[h])];
@@ -214,8 +214,8 @@ void PathRule::touch_head(std::size_t h, std::int64_t time_ns, const Positions& 
     if (phase_ != Phase::link || too_deep_in_link_.size() == kMostHeld) keep_link();
 }
 
-/// On the way to and between the roughing layers of a spiral, which are level and sliced for themselves. What
-/// the job asks of this head at the way's ends is known as well.
+/// On the way to and between the roughing layers of a spiral, which are level and sliced for themselves. The
+/// job's radii for this head at the way's ends are known as well.
 std::optional<double> PathRule::floor_of_way(std::size_t h, const Positions& at,
                                              std::int64_t direction) const {
     const bool is_on_way = phase_ == Phase::link || phase_ == Phase::approach;
@@ -235,7 +235,7 @@ std::optional<double> PathRule::floor_of_way(std::size_t h, const Positions& at,
     return geometry_.least_around(at[kY] + head.height_offset_pulses, direction, ends);
 }
 
-/// By a little, a head stands deeper because the axis that lost its way does, or its own count is off.
+/// A head may be a little too deep because the axis that lost its way is, or because its own count is off.
 void PathRule::excuse_link(Axis lost) {
     std::erase_if(too_deep_in_link_, [lost](const Stray& deep) {
         const bool is_its_own = lost == Axis::psi || lost == Axis::y || deep.offence.axis == lost;
@@ -254,7 +254,7 @@ void PathRule::count(const Stray& stray) {
     log_.describe(std::move(offence), stray.place);
 }
 
-/// The path led there, as deep: that was judged on the way.
+/// The path led there, at this depth: that was judged on the way.
 bool PathRule::is_where_it_ended(std::size_t h, const Positions& at) const noexcept {
     if (phase_ != Phase::approach || !ended_on_path_) return false;
     const Positions& end = *ended_on_path_;

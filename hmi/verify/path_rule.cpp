@@ -40,7 +40,7 @@ std::vector<PassTime> PathRule::pass_times() const {
     if (!is_complete_ || passes.size() < 2 || pass_ended_ns_.size() != passes.size()) return times;
     std::int64_t before_ns = left_ns_;
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        // What is carved to one depth in several runs is one pass.
+        // Several runs carved to one depth are one pass.
         const bool goes_on = i > 0 && passes[i].number == passes[i - 1].number;
         if (!goes_on) times.push_back({pass_name(passes[i]), 0, 0.0});
         times.back().layers += passes[i].layer_count;
@@ -143,7 +143,7 @@ void PathRule::advance() {
     } else {
         phase_ = Phase::done;
         place_ = {};
-        // What follows was not asked for.
+        // The layers that follow are not judged.
         is_elsewhere_ = geometry_.end_layer() < geometry_.layer_count();
         if (is_elsewhere_) end_attempt(arrived_ns_);
     }
@@ -215,7 +215,7 @@ bool PathRule::is_on_lines(std::int64_t time_ns, const Positions& at) {
     return is_on;
 }
 
-/// The tips cut where they may: no more to judge.
+/// The tips cut where they may: there is nothing more to judge.
 void PathRule::carve(const Positions& at) {
     const bool turned = at[kPsi] != cells_at_psi_;
     cells_at_psi_ = at[kPsi];

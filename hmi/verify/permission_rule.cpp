@@ -116,7 +116,7 @@ void PermissionRule::judge_alarm(Axis axis, std::int64_t time_ns, const CarvePla
         const Guard& guard = guards_[index_of(other)];
         const bool crashed = guard.tripped && guard.tripped_while_carving;
         const std::int64_t since_ns = crashed ? guard.tripped_ns : guard.crash_ns;
-        // The axis at the limit is judged by judge_limit for as long as the limit is tripped.
+        // judge_limit judges the axis at the limit as long as the limit is tripped.
         if (other == axis && guard.tripped) continue;
         if (!in_alarm_since(since_ns, false)) continue;
         if (time_ns - since_ns < filter_ns_ + reaction_ns_ || !log_.count(4, time_ns)) continue;

@@ -21,7 +21,7 @@ constexpr SignalWord kPermissionMask = kEnableMask | kInputMask | bit_of(Signal:
 constexpr std::size_t kEventsAtOnce = 1024;
 }  // namespace
 
-/// Turns pins into pulses and positions and hands each to the rules. A rule that judges single pulses is told
+/// Makes pulses and positions of pins and hands each to the rules. A rule that judges single pulses is called
 /// in `pulse`; one that judges positions, in `settle`.
 struct Verifier::State {
     State(const JobGeometry& geometry, const Profile& profile)
@@ -55,7 +55,7 @@ struct Verifier::State {
     PermissionRule permission;
     Backlash backlash;
     SignalWord levels = 0;
-    SignalWord spindle_bit = 0;  ///< 0: the trace does not tell
+    SignalWord spindle_bit = 0;  ///< 0: not in the trace
     std::int64_t instant_ns = 0;
     bool unsettled = false;  ///< the instant moved an axis or switched the spindle
     Positions positions{};

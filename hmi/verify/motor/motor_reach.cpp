@@ -93,7 +93,7 @@ void MotorReach::step(double time_s, Range room) {
     if (is_full && full_s_ * limits_.accel_pps2 >= most_in_room_pps(room) - limits_.jump_pps) settle(room);
 }
 
-/// What is reached inside a room from start-stop speed.
+/// The greatest speed that a motor reaches inside a room from start-stop speed.
 double MotorReach::most_in_room_pps(Range room) const noexcept {
     return std::min(limits_.speed_pps, std::sqrt(limits_.jump_pps * limits_.jump_pps +
                                                  2.0 * limits_.accel_pps2 * (room.high - room.low)));
@@ -139,11 +139,12 @@ Range MotorReach::run_branch(Branch& branch, double time_s, double far_wall) {
     return fed;
 }
 
-/// What left the slow speeds during this step.
+/// The states that left the slow speeds during this step.
 void MotorReach::launch(Branch& branch, const Launch& row, double time_s, double far_wall) {
     const Range start{limits_.jump_pps, limits_.jump_pps};
     if (limits_.speed_pps <= limits_.jump_pps) return;
-    // Where a set held this row before, it now holds what left at the step's begin: only the row is new.
+    // Where a set held this row before, it now holds the states that left at the step's begin: only the row
+    // is new.
     if (row.is_held && branch.count > 0) {
         StateSet& newest = branch.sets[branch.count - 1];
         const double exact_from = limits_.jump_pps + 0.999 * limits_.accel_pps2 * time_s;
@@ -154,7 +155,7 @@ void MotorReach::launch(Branch& branch, const Launch& row, double time_s, double
     StateSet fresh = StateSet::box(row.from, start);
     fresh.run(time_s, limits_.accel_pps2, limits_.speed_pps);
     fresh.keep_speeds({limits_.jump_pps, limits_.speed_pps});
-    // Joined before it is cut: what turned back near the wall may have done so a little later, off it.
+    // Joined before it is cut: states that turned back near the wall may have done so a little later, off it.
     fresh.join(StateSet::box(row.now, start));
     fresh.keep_below(far_wall);
     add(branch, fresh);

@@ -12,7 +12,7 @@ namespace psicarve::verify {
 namespace {
 constexpr int kLeastPatience = 4;
 constexpr int kMostPatience = 256;
-// So many events back another witness is tried, those that carried furthest in carvings first: one that left
+// How many events back another witness is tried, those that carried furthest in carvings first: one that left
 // the slow speeds too late, or too early, has little room.
 constexpr std::array<std::size_t, 14> kTurns{4, 3, 6, 2, 8, 1, 12, 10, 5, 16, 24, 32, 48, 64};
 constexpr std::size_t kFarthestTurn = *std::max_element(kTurns.begin(), kTurns.end());
@@ -34,7 +34,7 @@ void TrainFollower::start_anew(std::int64_t time_ns) {
     reach_.start_anywhere(room_at(count_));
 }
 
-/// Everything that is possible after an event.
+/// All states that are possible after an event.
 void TrainFollower::step(const TrainEvent& event) {
     if (event.time_ns > reached_ns_)
         reach_.run(seconds_from_ns(event.time_ns - reached_ns_), room_at(count_));
@@ -96,8 +96,9 @@ TrainFollower::Late TrainFollower::late(const TrainEvent& event, const MotionWit
     return {event, witness.slow_positions(), witness.count(), witness.is_anywhere()};
 }
 
-/// Half of what is late stands between `earlier_` and being forgotten. One that turned into the other kind
-/// has only the motions that did so just then, and stands for nothing until it is slow and may be anywhere.
+/// Half of the late events stand between `earlier_` and being forgotten. A witness that turned into the other
+/// kind covers only the motions that did so just then; it replaces the others once it is slow and may be
+/// anywhere.
 void TrainFollower::choose_earlier() {
     constexpr std::size_t kHalf = kMostLate / 2;
     if (earlier_count_ > 0) return;
@@ -110,9 +111,9 @@ void TrainFollower::choose_earlier() {
     if (late_count_ == kHalf) choose_anywhere();
 }
 
-/// Among the first half alone: later ones stand too near to the end. Slow for so long that whatever was
-/// faster before has come down to start-stop speed, or left the room: of all speeds u above it a motor loses
-/// u in the time u/a and on the way u^2/2a, which is no longer than the room.
+/// Searches the first half alone: later ones stand too near to the end. Requires a motor that was slow for so
+/// long that any faster state before has come down to start-stop speed, or left the room: from each speed u
+/// above it a motor stops in the time u/a and on the way u^2/2a, which is no longer than the room.
 void TrainFollower::choose_anywhere() {
     const double room_pulses = 2.0 * kHalfRoom_pulses;
     const double settled_s = std::sqrt(2.0 * room_pulses / reach_.limits().accel_pps2);
@@ -132,7 +133,7 @@ void TrainFollower::choose_anywhere() {
 
 void TrainFollower::keep_late(const TrainEvent& event) {
     const Late now = late(event, witness_);
-    // An axis that stands passes many joints: the first and the last of them will do.
+    // An axis that stands passes many joints: the first and the last of them suffice.
     const auto is_joint = [this](std::size_t back) {
         return late_[late_count_ - back].event.kind == TrainEvent::Kind::joint;
     };
@@ -144,13 +145,12 @@ void TrainFollower::keep_late(const TrainEvent& event) {
     if (late_count_ == kMostLate) forget_earlier();
     late_[late_count_++] = now;
     choose_earlier();
-    // A witness that left nothing out is as good as everything.
+    // A witness that left no motion out is as good as all states.
     if (earlier_count_ > 0 && earlier_.is_whole()) forget_earlier();
 }
 
-/// The witness came to its end with this event: another one, that was no faster than start-stop after some
-/// event before, goes on in its place. Only from events since `earlier_`, which stands for all that came
-/// before it.
+/// The witness ended with this event: replaces it by another one, which was no faster than start-stop after
+/// some earlier event. Uses only events since `earlier_`, which covers all before it.
 bool TrainFollower::turn(const TrainEvent& event) {
     const bool is_slow = witness_.is_slow();
     for (const std::size_t back : kTurns) {
@@ -170,7 +170,7 @@ MotionWitness TrainFollower::slow_witness(std::size_t index) const {
     return slow;
 }
 
-/// One that becomes faster than start-stop just then, towards the event.
+/// A witness that becomes faster than start-stop just then, towards the event.
 MotionWitness TrainFollower::running_witness(std::size_t index, const TrainEvent& event) const {
     const Late& from = late_[index];
     const bool is_upward = event.count_after(late_[late_count_ - 1].count) >= from.count;
@@ -182,7 +182,7 @@ MotionWitness TrainFollower::running_witness(std::size_t index, const TrainEvent
     return running;
 }
 
-/// Takes a witness of the time behind late_[index] up to the event. If it comes so far it is the witness.
+/// Follows a witness from behind late_[index] up to the event. If it lasts that long it becomes the witness.
 bool TrainFollower::go_on(MotionWitness witness, std::size_t index, const TrainEvent& event) {
     std::array<Late, kFarthestTurn> again{};
     const std::size_t first = index + 1;
@@ -197,7 +197,7 @@ bool TrainFollower::go_on(MotionWitness witness, std::size_t index, const TrainE
     return true;
 }
 
-/// What lies so far back has no bearing any more: the witness of then stands for it.
+/// Forgets events that have no effect any more: the witness of that time replaces them.
 void TrainFollower::forget_earlier() {
     earlier_.hand_to(reach_);
     reached_ns_ = earlier_.time_ns();
@@ -210,9 +210,8 @@ void TrainFollower::forget_earlier() {
     if (has_turned_ && late_count_ >= kMostLate / 2) choose_anywhere();
 }
 
-/// The last of the late events behind which nothing happened for so long that everything became possible that
-/// ever is: what lies before it has no bearing, to the last bit. The number of late events where there is
-/// none.
+/// Index of the last late event behind which nothing happened for so long that every state became possible:
+/// events before it have no effect, to the last bit. The number of late events where there is none.
 std::size_t TrainFollower::last_settled() const {
     for (std::size_t i = late_count_; i-- > 1;) {
         const Late& before = late_[i - 1];

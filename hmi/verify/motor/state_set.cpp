@@ -53,9 +53,9 @@ bool is_tight(const StateFlank& hull, const StateFlank& a, const StateFlank& b, 
     return true;
 }
 
-/// A cheap look at where hulls mostly stand out: half-way to the second slowest corner. True only if
-/// `is_tight` were to say no: the hull reaches at least as far as the straight line from its slowest corner
-/// to any other.
+/// A cheap test at the place where hulls usually stand out: half-way to the second slowest corner. True only
+/// if `is_tight` would return false: the hull reaches at least as far as the straight line from its slowest
+/// corner to any other.
 bool is_loose_above_slowest(const StateFlank& a, const StateFlank& b, double tolerance) {
     constexpr double kLookMargin_pulses = 1e-6;
     if (a.slowest() != b.slowest() || a.size() < 2 || b.size() < 2) return false;
@@ -149,7 +149,7 @@ void StateSet::keep_speeds(Range speeds) noexcept {
 }
 
 bool StateSet::extend_slowest(Range row, double exact_from, double tolerance) noexcept {
-    // Each flank by itself adds nothing that is not true, so one may succeed without the other.
+    // Each flank by itself adds only true states, so one may succeed without the other.
     return right_.extend_slowest(row.high, exact_from, tolerance) &&
            left_.extend_slowest(-row.low, exact_from, tolerance);
 }

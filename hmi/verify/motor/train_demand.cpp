@@ -20,7 +20,7 @@ bool can_follow(std::span<const TrainEvent> stretch, const MotorLimits& limits) 
                        [&](const TrainEvent& event) { return follower.take(event); });
 }
 
-/// The least value between `low`, which does not do, and `most` that does; nothing: `most` does not either.
+/// The least value that suffices between `low`, which does not, and `most`; nothing: `most` does not either.
 template <typename Does>
 double least_that_does(double low, double most, const Does& does) {
     double high = low;

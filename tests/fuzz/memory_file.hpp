@@ -28,7 +28,7 @@ public:
     ~MemoryFile() { ::close(descriptor_); }
 
     std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-    /// Another descriptor, at the file's begin; whoever asks closes it.
+    /// Another descriptor, at the file's begin; the caller closes it.
     int opened() const { return ::open(path().c_str(), O_RDONLY | O_CLOEXEC); }
 
 private:

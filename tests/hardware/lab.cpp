@@ -35,7 +35,7 @@ pid_t start(std::vector<std::string> words, const std::string& output) {
     return pid;
 }
 
-/// Where the guest's kernel is kept: for all builds of whoever runs them, or for this one.
+/// The folder for the guest's kernel: for all builds of the user, or for this one.
 std::string kernel_folder() {
     const auto set = [](const char* name) {
         const char* const value = std::getenv(name);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kPeriod_ns = 50'000;
 
-/// Time that only passes when somebody sleeps or works; how late each wake-up comes is scripted.
+/// Time that only passes when the code sleeps or works; how late each wake-up comes is scripted.
 class ScriptedClock {
 public:
     explicit ScriptedClock(std::vector<std::int64_t> lateness_ns) : lateness_ns_(std::move(lateness_ns)) {}

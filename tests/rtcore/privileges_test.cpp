@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kOrdinaryUser = "nobody";
 constexpr const char* kAnotherUser = "daemon";
 
-/// In a process of its own that is an ordinary user's, whoever runs the test: 0 where it holds.
+/// In a process of its own that belongs to an ordinary user, whichever user runs the test: 0 where it holds.
 int as_ordinary_user(const std::function<bool(const UserAccount& own)>& holds) {
     const bool is_root = ::geteuid() == 0;
     const passwd* const entry = is_root ? ::getpwnam(kOrdinaryUser) : ::getpwuid(::geteuid());

@@ -24,7 +24,7 @@ struct Counts {
     std::uint64_t switches = 0;  ///< of its own accord, as the kernel counted
 };
 
-/// Must precede counting, once in each thread that counts. False: this kernel lets nobody watch.
+/// Must precede counting, once in each thread that counts. False: this kernel does not allow it.
 bool watch_this_thread() noexcept;
 void begin_counting() noexcept;
 /// Adds what this thread did since then.

@@ -248,7 +248,7 @@ TEST_F(AtomicFile, ASignalTakesAHiddenNameAway) {
     ::close(ready[1]);
 }
 
-// Whoever sweeps the folder meanwhile would have the lock, and take the name away before the file gets its
+// Another process that cleans the folder would have the lock, and remove the name before the file gets its
 // own.
 TEST_F(AtomicFile, AHiddenFileIsLockedUntilItHasItsName) {
     auto part = PartialFile::create_hidden(folder_of(file_), 0600);

@@ -6,8 +6,8 @@
 
 namespace psicarve::test {
 
-/// Signals that whoever runs the tests may ignore (nohup, a job behind an &), and so would every process that
-/// a test starts.
+/// Signals that the process that runs the tests may ignore (nohup, a job behind an &), and so would every
+/// process that a test starts.
 inline constexpr int kSignalsToTake[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
 /// In a child that was forked: signals do what they do to any program, and it does not outlive the test.

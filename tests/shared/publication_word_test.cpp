@@ -173,7 +173,7 @@ TEST_F(PublicationWord, AnAcceptedJobIsAcceptedWhateverWasPublishedAndRefusedSin
     EXPECT_TRUE(wait_for_acceptance(*hmi_, good, kShort));
 }
 
-// It may have been accepted in between: nobody knows any more.
+// It may have been accepted in between: that is not known any more.
 TEST_F(PublicationWord, OfAJobThatAnotherFollowedNobodyClaimsThatItWasNotLookedAt) {
     ASSERT_TRUE(core_->claim_core());
     const std::uint64_t first = publish(1);

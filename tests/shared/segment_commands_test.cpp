@@ -114,8 +114,8 @@ TEST_F(SegmentCommands, CommandThatNobodyTookIsTakenBackAtTheLimit) {
 
 TEST_F(SegmentCommands, SlotOfASenderThatGaveUpAfterItWasTakenIsFreedByTheAnswer) {
     Result<void> result;
-    // Once more, but not for ever, where this computer stands still for so long that nobody took it in time,
-    // and it was taken back.
+    // Once more, but not forever, where this computer stands still for so long that no core took it in time,
+    // and the sender took it back.
     std::thread sender{[&] {
         for (int tries = 0; tries < 100; ++tries) {
             result = send_command(*hmi_, {CommandKind::home, 0, 0, 0}, milliseconds{200});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments that are nobody's any more, or are damaged: who may take their name.
+// Segments that have no user any more, or are damaged: who may take their name.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ TEST(StaleSegments, AreRemovedOfDeadProcessesAlone) {
     const test::SegmentName own;
     SegmentOptions left = own.options();
     left.name = "/" + name_of_process(own_namespace(), dead) + "-1";
-    // In a container that shares our /dev/shm somebody may well have that pid.
+    // In a container that shares our /dev/shm a process may well have that pid.
     SegmentOptions foreign = own.options();
     foreign.name = "/" + name_of_process(own_namespace() + 1, dead) + "-1";
     for (const SegmentOptions& options : {own.options(), left, foreign}) {

@@ -7,9 +7,9 @@ namespace psicarve::system_calls {
 using Watcher = void (*)(long number) noexcept;
 
 /// From here on the kernel itself hands every system call of the calling thread (and of threads that it
-/// starts) to `watcher`, whichever library or instruction makes it; then it is made as it was asked for.
-/// There is no way back before the thread ends. Costs some microseconds a call. Looks at the clock that the
-/// kernel answers without being called (vDSO) are none. False: this kernel lets nobody. x86-64.
+/// starts) to `watcher`, whichever library or instruction makes it; then the call is made as it was. There is
+/// no way back before the thread ends. Costs some microseconds a call. Readings of the clock that need no
+/// system call (vDSO) do not count. False: this kernel does not allow it. x86-64.
 bool watch_this_thread(Watcher watcher) noexcept;
 
 }  // namespace psicarve::system_calls

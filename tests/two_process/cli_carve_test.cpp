@@ -272,8 +272,8 @@ TEST_F(Carve, ReplayGivesTheSameReportAndLeavesNothingBehind) {
     EXPECT_EQ(text_of(file("a.trace")), text_of(file("b.trace")));
 }
 
-/// A replay that is in the middle of its job and cannot come to the end before it is let: its pins go into a
-/// pipe, and time waits for whoever reads them.
+/// A replay in the middle of its job that cannot end before the test lets it: its pins go into a pipe, and
+/// time waits for the reader.
 class HeldReplay {
 public:
     HeldReplay(const std::string& job, const std::string& pipe, const std::vector<std::string>& more = {})

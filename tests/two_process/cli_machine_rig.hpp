@@ -22,7 +22,7 @@ inline constexpr int kMostTries = 8;
 class Machine : public CliTest {
 protected:
     ~Machine() override {
-        // One that outlived the carve that began it is nobody's child.
+        // A core that outlived the carve that began it is no child of this process.
         if (const auto pid = core_pid()) kill(static_cast<pid_t>(*pid), SIGKILL);
     }
     void start_core(const std::vector<std::string>& more = {}) {
@@ -33,8 +33,8 @@ protected:
         core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
         ASSERT_TRUE(eventually([&] { return core_pid().has_value(); }));
     }
-    /// Of a core that has said who it is. One that only has the lock as yet has pid 0, which to kill() means
-    /// this test and whoever runs it.
+    /// Of a core that has signed. One that only has the lock as yet has pid 0, which to kill() means this
+    /// test and the process that runs it.
     std::optional<std::uint32_t> core_pid() const {
         const auto segment = Segment::attach(segment_);
         const auto pid = segment ? segment->core_pid() : std::nullopt;

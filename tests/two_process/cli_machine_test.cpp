@@ -155,7 +155,7 @@ TEST_F(Machine, PinsThatAnotherHasRecordedAreRefusedBeforeAnythingMovesOrIsOverw
         << outcome.error;
     EXPECT_EQ(text_of(file("old.vcd")), "precious");
     EXPECT_EQ(state(), MachineState::off);
-    // A piece that nobody asked for is no reason to refuse.
+    // A piece that was not asked for is no reason to refuse.
     const Outcome unseen =
         run({"carve", box_stl("box.stl"), "--layers", "3", "--points", "9", "--tool", "ball:2", "--json"});
     EXPECT_EQ(unseen.exit_code, 0) << unseen.error;

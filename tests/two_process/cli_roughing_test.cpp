@@ -283,7 +283,7 @@ TEST_F(Roughing, IsWhatTheProfileSaysUnlessAnOptionSaysElse) {
     asked(sliced("shop.toml", {"--allowance", "0"}), 2.0, 0.0, 1.0);
     asked(sliced("shop.toml", {"--stepover", "1.5"}), 2.0, 0.5, 1.5);
     asked(sliced("shop.toml", {"--tool", "point"}), 2.0, 0.5, 0.0);
-    // The job carries what was asked for, whoever asked.
+    // The job carries the stepdown that was used, from the option or the profile.
     asked(sliced("p.job", {"--tool", "flat:2"}), 2.0, 0.5, 1.0);
     EXPECT_EQ(sliced("shop.toml", {"--finish-only"})["passes"].size(), 1U);
     EXPECT_EQ(sliced("p.job", {})["passes"].size(), 1U);

@@ -74,7 +74,7 @@ TEST_F(CoreGuard, AKilledCoreLeavesTheMachineSwitchedOffAndSaysSo) {
     EXPECT_GT(last.points_done, 3U);
 }
 
-// What the guard has said of the port it takes back, whoever has mended it.
+// The guard takes back what it has said of the port, whichever process has mended it.
 TEST_F(CoreGuard, APortThatDidNotAnswerIsSaidToAnswerAgainIfTheCoreFoundItSo) {
     for (const bool guard_sleeps : {false, true}) {
         SCOPED_TRACE(guard_sleeps);

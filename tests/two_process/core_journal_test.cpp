@@ -14,7 +14,7 @@
 namespace psicarve::two_process {
 namespace {
 
-/// Whoever is started meanwhile finds this disk (disk_preload.cpp).
+/// Processes that are started meanwhile find this disk (disk_preload.cpp).
 class RuledDisk {
 public:
     RuledDisk(const std::string& folder, const std::string& rules) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What takes the core's words and traces, and what its supervisor's thread reads, may stand still: nobody who
-// wants the machine to stop waits for it.
+// The readers of the core's words and traces, and the files that its supervisor's thread reads, may stand
+// still: no order to stop waits for them.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -123,7 +123,7 @@ TEST_F(CoreOutlet, AnEmergencyStopIsHeardWhileATracesReaderStandsStill) {
     EXPECT_TRUE(eventually([&] { return status().state == MachineState::alarm; }, kHeardLimit));
     EXPECT_EQ(status().alarm_cause, AlarmCause::emergency_stop);
     EXPECT_FALSE(is_spindle_on());
-    // It ends in order, though nobody reads.
+    // It ends in order, though its words have no reader.
     core_->send_signal(SIGTERM);
     EXPECT_TRUE(eventually([&] { return has_ended(); }, kHeardLimit));
     if (!has_ended()) kill(core_pid_, SIGKILL);
@@ -261,7 +261,7 @@ TEST_F(CoreOutlet, AnEmergencyStopIsHeardWhileLayerTimesCannotBeWritten) {
     // Once the disk answers they are written, of the job as it was planned.
     let_it_go();
     EXPECT_TRUE(eventually([&] { return text_of(file("times.csv")).starts_with("layer,seconds\n0,"); }));
-    // Once more, and nobody ever answers: it ends in order all the same.
+    // Once more, and the reader never answers: it ends in order all the same.
     hold_it();
     ASSERT_EQ(publish(coarse_job(20)), "");
     core_->send_signal(SIGTERM);
@@ -296,7 +296,7 @@ TEST_F(CoreOutlet, AnEmergencyStopIsHeardWhileTheCheckpointCannotBeWritten) {
         return saved && saved->checkpoint.next_layer == next_layer();
     }));
     EXPECT_FALSE(load_saved_checkpoint(names.checkpoint())->is_simulator);
-    // Once more, and nobody ever answers: it ends in order all the same.
+    // Once more, and the reader never answers: it ends in order all the same.
     ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
     home();
     hold_it();

@@ -36,7 +36,7 @@ TooSoon judge(const std::vector<fake_port::Write>& writes, const Profile& profil
     for (std::size_t i = 1; i < writes.size(); ++i) {
         const auto now_ns = static_cast<std::int64_t>(writes[i].time_ns);
         const std::uint32_t changed = levels[i - 1] ^ levels[i];
-        // An alarm or the end: nothing is enabled any more, and nobody counts.
+        // An alarm or the end: nothing is enabled any more, and these edges do not count.
         const bool counts = (levels[i] & kEnableMask) != 0;
         for (std::size_t k = 0; counts && k < kAxisCount; ++k) {
             if ((changed & bit_of(dir_of(kAllAxes[k]))) != 0) {

@@ -37,7 +37,7 @@ protected:
     }
 };
 
-// A core that waits for a lock of the segment can be held up by whoever may write there.
+// A core that waits for a lock of the segment can be held up by any process that may write there.
 TEST_F(CoreReplay, IsRefusedWhereAnotherProcessKeepsTheSegmentsMutex) {
     start_core();
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");

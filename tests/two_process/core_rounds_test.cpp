@@ -116,8 +116,8 @@ TEST_F(CoreRounds, AFloodOfRefusedCommandsKeepsNobodyFromAnEmergencyStop) {
 }
 
 /// Senders that refill their slots as soon as they are answered. Of commands that were sent after a request
-/// it counts the answers that were there before the core told that it obeyed: both are moments of the core's
-/// own order, and whoever is kept waiting by a busy computer counts too few, never too many.
+/// it counts the answers that came before the core said that it obeyed: both are moments of the core's own
+/// order, and a sender that a busy computer delays counts too few, never too many.
 class Flood {
 public:
     static constexpr int kSenders = 60;

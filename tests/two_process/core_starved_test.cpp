@@ -136,7 +136,7 @@ std::optional<int> last_allowed_cpu() {
     return std::nullopt;
 }
 
-/// Takes the processor from everybody below priority 20; false when that is not allowed.
+/// Takes the processor from all threads below priority 20; false when that is not allowed.
 bool hog(int cpu, std::int64_t time_ms) {
     cpu_set_t one;
     CPU_ZERO(&one);

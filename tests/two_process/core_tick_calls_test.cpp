@@ -134,7 +134,7 @@ TEST_F(CoreTickCalls, OnTheSimulatorNothingButItsSleep) {
     EXPECT_THAT(calls_but({SYS_clock_nanosleep}), ::testing::IsEmpty());
 }
 
-// Nobody watches here, for what watches has pages of its own.
+// Without a watcher here, since that has pages of its own.
 TEST_F(CoreTickCalls, OnTheSimulatorNoPageFault) {
     if (test::kIsSanitized) GTEST_SKIP() << "a sanitizer's memory is not locked";
     // The kernel may move a page that lies in memory, and a thread that touches it then faults by no doing of

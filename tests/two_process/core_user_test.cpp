@@ -31,7 +31,7 @@ public:
     AsUser& operator=(const AsUser&) = delete;
 };
 
-/// While it lives, whoever this process starts sees of other users' processes nothing in /proc, as where it
+/// While it lives, processes that this one starts see nothing of other users' processes in /proc, as where it
 /// is mounted with hidepid.
 class HiddenProcesses {
 public:
@@ -55,7 +55,7 @@ private:
     bool are_hidden_ = false;
 };
 
-/// The kernel shows nobody the memory of a process that has left root, which a search for leaks needs.
+/// The kernel hides the memory of a process that has left root, which a search for leaks needs.
 class WithoutLeakSearch {
 public:
     WithoutLeakSearch() {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loaded into a program, it stands for the disk below the folder that PSICARVE_DISK names. What was done
-// there is written, a line each with its thread, to the file that PSICARVE_DISK_LOG names. The file that
-// PSICARVE_DISK_RULES names says how the disk is, in words, and may change at any time: "hangs": whoever
-// opens something there waits until it does no more; "lists_one": a folder fails behind its first entry;
-// "takes_nothing": nothing is written or gets a name; "keeps_names": no name is taken away; "keeps_contents":
-// no file is emptied; "forgets_names": a folder cannot be synced.
+// Loaded into a program, it stands for the disk below the folder that PSICARVE_DISK names. It writes what was
+// done there, a line each with its thread, to the file that PSICARVE_DISK_LOG names. The file that
+// PSICARVE_DISK_RULES names describes the disk, in words, and may change at any time: "hangs": opening a file
+// there waits as long as the word stands; "lists_one": a folder fails behind its first entry;
+// "takes_nothing": nothing is written or gets a name; "keeps_names": no name is removed; "keeps_contents": no
+// file is emptied; "forgets_names": a folder cannot be synced.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>

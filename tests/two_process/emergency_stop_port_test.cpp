@@ -21,7 +21,8 @@ protected:
         write_profile();
         port_.stand(profile_);
     }
-    /// From one of the next writes on the status register shows this, whoever writes. Returns which write.
+    /// From one of the next writes on the status register shows this, whichever process writes. Returns which
+    /// write.
     std::uint64_t flip_soon(std::uint32_t status_bits) {
         constexpr std::uint64_t kSoonest = 20;
         const std::uint64_t at = port_.state().write_count.load() + kSoonest + random_() % 40;
@@ -126,7 +127,7 @@ TEST_F(PortEmergencyStops, EndTheReplayOfAJobWithTheirTick) {
     expect_stop_of_replay(file("job"));
 }
 
-// Its inputs come from the recording; but nobody recorded the hand on the switch.
+// Its inputs come from the recording; but the hand on the switch is not in it.
 TEST_F(PortEmergencyStops, EndTheReplayOfARecordedRunWithTheirTick) {
     start_core({"--profile", file("machine.toml")});
     ASSERT_EQ(publish(coarse_job(10)), "");

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* kVariables[] = {"LD_PRELOAD", "ASAN_OPTIONS", "PSICARVE_DISK", "PSICARVE_DISK_LOG",
                                       "PSICARVE_DISK_RULES"};
 
-/// Whoever is started meanwhile finds this disk.
+/// Processes that are started meanwhile find this disk.
 class FalseDisk {
 public:
     FalseDisk(const std::string& folder, const std::string& log, const std::string& rules) {

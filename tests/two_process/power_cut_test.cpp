@@ -259,7 +259,7 @@ TEST_F(PowerCut, APieceIsForgottenForGood) {
 }
 
 TEST_F(PowerCut, ADiskThatTakesNothingIsAWarningAndTheJobIsCarved) {
-    // No folder can be made in a file, by nobody.
+    // No user can make a folder in a file.
     { std::ofstream{state()} << "a file"; }
     start_core({"--state", state() + "/deeper"});
     ASSERT_EQ(publish(lobed_job(5, 33)), "");

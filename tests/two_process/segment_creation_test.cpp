@@ -167,8 +167,8 @@ TEST_F(SegmentCreation, PublishersOfSeveralProcessesTakeTurns) {
     EXPECT_EQ(published_generation(segment), std::uint64_t{kProcesses} * kJobs);
 }
 
-/// Runs in a child: gives it a small /dev/shm of its own; where the system lets nobody mount one, the calls
-/// that take memory for the object find as little room there.
+/// Runs in a child: gives it a small /dev/shm of its own; where the system does not let it mount one, the
+/// calls that take memory for the object find as little room there.
 void get_small_shm(std::int64_t bytes) {
     const std::string size_option = "size=" + std::to_string(bytes);
     const bool is_done = ::unshare(CLONE_NEWNS) == 0 &&

@@ -85,7 +85,7 @@ protected:
         }
         close(object);
     }
-    /// Whoever uses what is left is told what is wrong, or it works; nobody waits for ever.
+    /// A process that uses what is left gets an error that names the fault, or succeeds; none waits forever.
     void expect_named_refusal_or_none() {
         auto fresh = Segment::attach(segment_name_);
         if (!fresh) {

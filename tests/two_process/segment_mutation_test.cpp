@@ -67,7 +67,8 @@ TEST_F(SegmentMutation, TenThousandMoveNothingAndEndNothing) {
             mutate();
             if (i % 10 == 0) std::this_thread::sleep_for(std::chrono::microseconds{200});
         }
-        // Whoever uses what is left is told what is wrong, or it works; nobody waits for ever.
+        // A process that uses what is left gets an error that names the fault, or succeeds; none waits
+        // forever.
         const auto published = publish_job(*segment_, job, milliseconds{300});
         if (!published) {
             EXPECT_NE(published.error().message, "");

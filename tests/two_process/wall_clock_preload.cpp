@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loaded into a program, it sets the clock of the wall forth and back with every look at it. What counts
-// from the machine's start goes on as it does; but once the file that PSICARVE_SUSPENDED names is there, the
-// computer has slept for an hour in between. While the file that PSICARVE_HELD_SUPERVISOR names is there,
-// whoever asks how long the computer slept (the supervisor) stands still; PSICARVE_HELD_READ: whoever reads
-// what is longer than a page of a file, as a job; PSICARVE_HELD_WRITE: whoever wants a file on its disk.
+// Loaded into a program, it sets the clock of the wall forth and back with every reading. Clocks that count
+// from the machine's start go on as they do; but once the file that PSICARVE_SUSPENDED names is there, the
+// computer has slept for an hour in between. While the file that PSICARVE_HELD_SUPERVISOR names is there, the
+// thread that asks how long the computer slept (the supervisor) stands still; PSICARVE_HELD_READ: a thread
+// that reads more than a page of a file, such as a job; PSICARVE_HELD_WRITE: a thread that wants a file on
+// its disk.
 #include <dlfcn.h>
 #include <sys/time.h>
 #include <unistd.h>

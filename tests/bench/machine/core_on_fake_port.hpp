@@ -85,7 +85,7 @@ public:
         return true;
     }
     CoreStatus status() const { return read_record(segment_->header().status).value_or(CoreStatus{}); }
-    /// The axes are a few pulses off their sensors again, as if somebody had turned them back.
+    /// The axes are a few pulses off their sensors again, as if a hand had turned them back.
     void stand() { port_->stand(profile_); }
     const std::string& name() const noexcept { return name_; }
     Segment& segment() noexcept { return *segment_; }

@@ -62,7 +62,7 @@ class GrooveJob : public ::testing::Test {
 protected:
     GrooveJob() { profile_.tool = {ToolShape::ball, 2.0}; }
 
-    /// The drawing round a cylinder, whose own triangles nobody looks at closely.
+    /// The drawing round a cylinder, whose own triangles do not matter.
     model::Mesh mesh(double start_deg) const {
         flat::FlatOptions options;
         options.engraving = {kDepth_mm, start_deg, false, profile_.tool};

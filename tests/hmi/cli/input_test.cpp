@@ -110,7 +110,7 @@ TEST_F(BrokenInput, MissingFilesAreRefusedByEveryCommandThatReads) {
     for (const auto& command : commands_that_read(file("gone"))) expect_refused(command, "gone");
 }
 
-// Opening a pipe waits for somebody to write it: a wrong name must not make a command hang.
+// Opening a pipe waits for a writer: a wrong name must not make a command hang.
 TEST_F(BrokenInput, PipesAndFoldersAreRefusedByEveryCommandThatReads) {
     ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
     std::filesystem::create_directory(file("folder"));

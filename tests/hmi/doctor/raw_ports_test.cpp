@@ -56,7 +56,7 @@ public:
         ::close(ends[0]);
     }
     ~OpeningCore() {
-        if (pid_ <= 0) return;  // -1 would be everybody
+        if (pid_ <= 0) return;  // -1 would be all processes
         ::kill(pid_, SIGKILL);
         ::waitpid(pid_, nullptr, 0);
     }

@@ -213,7 +213,7 @@ TEST_F(Dxf, BrokenFilesAreOneClearLine) {
     EXPECT_THAT(wrong(drawing("0 TEXT 8 0 1 x")),
                 HasSubstr("holds no line that can be carved (DXF): left out"));
     EXPECT_THAT(wrong("AutoCAD Binary DXF\r\n\x1A"), HasSubstr("binary DXF drawing; save it as text"));
-    // A count of vertices is nobody's reason to allocate.
+    // A count of vertices is no reason to allocate.
     EXPECT_THAT(wrong(drawing("0 LWPOLYLINE 8 0 90 500000000 70 1 10 0 20 0")), HasSubstr("holds no line"));
     // A block that holds itself, ten times over.
     std::string self = " 0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0";
@@ -223,7 +223,7 @@ TEST_F(Dxf, BrokenFilesAreOneClearLine) {
         HasSubstr("more than a million elements"));
 }
 
-// What nobody sees is read all the same, once for each copy.
+// Invisible entities are read all the same, once for each copy.
 TEST_F(Dxf, HiddenBlocksAreNotWalkedForEver) {
     std::string many = " 0 SECTION 2 BLOCKS 0 BLOCK 2 B 10 0 20 0 0 LWPOLYLINE 8 hidden 70 0";
     for (int i = 0; i < 50'000; ++i) many += " 10 1 20 1";

@@ -40,7 +40,7 @@ TEST_F(GroovesTest, StandInTheMiddleOfTheHeightFromTheirStartOn) {
     EXPECT_NEAR(sut.strokes[0].points[1].x, quarter_mm + 30.0, 1e-9);
     EXPECT_NEAR(sut.strokes[1].points[0].y, 5.0, 1e-9);
     EXPECT_DOUBLE_EQ(sut.height_mm, 30.0);
-    // Nobody says how high: the drawing, a groove's half above and below, and an edge.
+    // Without a height: the drawing, a groove's half above and below, and an edge.
     options.height_mm.reset();
     EXPECT_NEAR(grooves(kLine, options).height_mm, 20.0 + 2.0 + 2.0, 1e-9);
 }

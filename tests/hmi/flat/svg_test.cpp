@@ -284,7 +284,7 @@ TEST_F(Svg, WhatAViewportWouldHideIsWarnedOf) {
     EXPECT_EQ(inside("transform='scale(0 1)'", wide + "</svg><svg><rect width='9' height='9'/>"), nothing);
     EXPECT_EQ(inside("overflow='visible'", "<rect width='91' height='10'/>"), beyond("1", "svg"))
         << "beyond the page";
-    // Whom nobody sees nobody misses.
+    // Invisible shapes need no warning.
     EXPECT_EQ(inside("", "<rect width='30' height='10' fill='none'/>"), nothing);
     EXPECT_EQ(svg("\n\n<symbol id='s' viewBox='0 0 10 10'><circle r='4'/></symbol>"
                   "<use href='#s' width='9' height='9' x='50'/>" +
@@ -301,7 +301,7 @@ TEST_F(Svg, WhatAViewportWouldHideIsWarnedOf) {
     EXPECT_EQ(page(sliced + "'xMaxYMid'", square), nothing);
     EXPECT_EQ(page("width='9mm' height='9mm'", "<rect width='9.005mm' height='9mm'/>"), nothing)
         << "rounding";
-    // Nobody says where a page without any size ends.
+    // A page without any size has no edge.
     EXPECT_EQ(page("", "<rect width='400' height='400'/>").size(), 1U);
     EXPECT_EQ(page("viewBox='0 0 10 10'", square).size(), 2U);
     // Clipping is another matter, told of by itself; of one element both would say the same.

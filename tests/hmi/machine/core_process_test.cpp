@@ -54,7 +54,7 @@ TEST_F(CoreProcessTest, HasAProcessGroupOfItsOwn) {
 }
 
 TEST_F(CoreProcessTest, KeepsNoStateOfAPieceThatIsNobodys) {
-    launch_.on_real_clock = true;  // a core that somebody starts by hand would
+    launch_.on_real_clock = true;  // a core that a user starts by hand would
     auto sut = CoreProcess::start(launch_);
     ASSERT_TRUE(sut.has_value()) << sut.error().message;
     std::ifstream file{"/proc/" + std::to_string(sut->pid()) + "/cmdline"};

@@ -164,7 +164,8 @@ TEST(PieceDeviation, OfAPointToolIsARoundingOfItsPulses) {
     EXPECT_LE(sut.leftover.max_mm, 0.0025);
 }
 
-// Y steps a little before or after its even share; where that is the boundary of two rows each is somebody's.
+// Y steps a little before or after its even share; where that is the boundary of two rows each belongs to
+// one.
 TEST(PieceDeviation, ASpiralsPointLeavesNoRowOutWhereverYsStepsFall) {
     Profile profile;
     profile.blank.radius_mm = 12.0;

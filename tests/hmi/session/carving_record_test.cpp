@@ -84,7 +84,7 @@ TEST_F(Carving, MeasuresHowFarTheHeadsWereFromTheJob) {
     EXPECT_EQ(sut_->deviation_pulses(1, cell), deep);
     for (std::uint32_t each = 0; each < kCellsOfLayer; ++each) EXPECT_EQ(sut_->deviation_pulses(0, each), 0);
     sut_->take_as_planned(3);
-    EXPECT_EQ(sut_->deviation_pulses(2, cell), 0);  // nobody saw it
+    EXPECT_EQ(sut_->deviation_pulses(2, cell), 0);  // it was not seen
     CarvedScenePlan by_deviation = plan();
     by_deviation.colouring = Colouring::deviation;
     const auto colours = CarvedScene{*sut_, by_deviation}.scene()->vertex_rgb;

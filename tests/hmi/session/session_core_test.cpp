@@ -145,7 +145,7 @@ TEST_F(SessionOnCore, TakesACoreThatHasNotSignedForNone) {
 
     ASSERT_TRUE(comes_true([&] { return session_->sight().core_pid == own_pid(); }));
     EXPECT_TRUE(session_->stop());
-    // As one in another container has it: alive by its lock, and its number is nobody's here.
+    // As one in another container: alive by its lock, and its pid is of no process here.
     core->header().core.start_time.store(0);
     core->header().core.pid.store(1);
     EXPECT_TRUE(comes_true([&] { return session_->sight().core_pid == 1U; }));
@@ -266,7 +266,7 @@ TEST_F(SessionOnCore, LetsGoOfAJogOnceItsOwnerHangs) {
     home_session();
     session_->jog().hold(Axis::psi, true, 30.0);  // has no end of its own
     ASSERT_TRUE(comes_to(S::moving));
-    // From here on nobody calls poll(), as when the window hangs, and the button is not let go.
+    // From here on no thread calls poll(), as when the window hangs, and the button is not released.
     attach();
     ASSERT_TRUE(reaches(S::ready));
     EXPECT_EQ(status().move_end, MoveEnd::released);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One piece, and everything that can be killed is killed while it is carved, at any instant: the core, the
-// window, the computer's power. An operator goes on by what the window says, and the piece is the one that
-// nobody has disturbed.
+// One piece; the core, the window and the computer's power are killed at any instant while it is carved. An
+// operator follows what the window says, and the piece is that of an undisturbed carving.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,7 +116,7 @@ protected:
     void window_dies() {
         window_->kill_now();
         ASSERT_TRUE(is_carved_up_to(checkpoint().next_layer + 5));
-        // It is slower than the machine, and somebody holds it meanwhile.
+        // It is slower than the machine, and the operator holds it meanwhile.
         ASSERT_EQ(refusal_of(CommandKind::hold), "");
         open_window_on_it();
         ASSERT_TRUE(says("text state_pill", "HELD"));

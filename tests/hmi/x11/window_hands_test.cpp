@@ -108,7 +108,7 @@ TEST_F(HandsOnAScreen, AKeyJogsAsLongAsItIsDown) {
     EXPECT_EQ(status().position_pulses[index_of(Axis::psi)], there) << "keys that are not armed";
 }
 
-// Whoever clicks elsewhere lets go of the key there: this window never hears of it.
+// A click elsewhere takes the key's release with it: this window never hears of it.
 TEST_F(HandsOnAScreen, AKeysJogEndsWhenAnotherWindowTakesTheKeyboard) {
     open_armed();
     const std::unique_ptr<test::ChildProcess> jogging = std::move(window_);

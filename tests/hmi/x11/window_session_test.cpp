@@ -144,8 +144,7 @@ TEST_F(WindowOnAScreen, LeavesOpenGlAloneWhereTheProcessorDoesItsWork) {
     EXPECT_EQ(ask("kind model_view"), "painter");
 }
 
-// Nobody in a program that stands still can let go: the core's lease is all there is. Psi has no end of
-// travel.
+// A program that stands still cannot let go: the core's lease alone ends the jog. Psi has no end of travel.
 TEST_F(WindowOnAScreen, AHeldJogEndsWhenTheWindowIsFrozen) {
     start_core();
     home();

@@ -24,7 +24,7 @@
 namespace psicarve::guard {
 namespace {
 
-constexpr int kUnsafe = 4;       ///< the guard's exit code where nobody may take the machine for safe
+constexpr int kUnsafe = 4;       ///< the guard's exit code where the machine must not count as safe
 constexpr int kPatience_s = 30;  ///< with a process that a busy computer keeps waiting
 constexpr const char* kIsSilent = "guard: the port does not answer";
 constexpr const char* kGoesOnTrying = "the guard goes on trying";

@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint16_t kLockedBase = 0x378;
 constexpr std::uint16_t kLockedRegisters = 3;
 
-/// Nobody else's: tests run beside each other.
+/// Unique to this process: tests run beside each other.
 std::string own_name() {
     return "psicarve-test-" + std::to_string(getpid());
 }
@@ -110,7 +110,7 @@ private:
     pid_t pid_ = -1;
 };
 
-/// What somebody else reads who has the device open, too: another user where we may become one.
+/// What another process reads that has the device open, too: as another user where we may become one.
 std::string signer_seen_by_another(int descriptor) {
     std::array<int, 2> answer{-1, -1};
     EXPECT_EQ(pipe(answer.data()), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel's part of a port, before the C library's own: whoever asks is let at addresses, which nobody
+// The kernel's part of a port, before the C library's own: every process may access addresses, which nothing
 // touches here, and every device answers as a port that the test plays. For one source file of a program.
 #pragma once
 

@@ -18,7 +18,7 @@
 
 namespace {
 
-// Of a driver whose port somebody else has.
+// Of a driver whose port another process has.
 int claims = 0;
 std::function<void()> at_claim;
 

@@ -20,7 +20,7 @@ inline std::string parameter_name(std::string_view text) {
     }
     return name;
 }
-/// Of texts that may come out alike, by their numbers.
+/// For texts that may come out alike: the name starts with the text's number.
 inline std::string parameter_name(std::string_view text, std::size_t index) {
     return std::to_string(index) + "_" + parameter_name(text);
 }

@@ -29,7 +29,7 @@ constexpr std::int32_t kIn_pulses = 6360;
 /// 16 mm less the clearance, the path's tolerance and two pulses.
 constexpr double kClear_mm = 13.985;
 
-/// Of roughing layers, [pulses].
+/// Sets the radii of the roughing layers [pulses].
 template <typename Radius>
 void set_radii(JobTable& job, const Radius& radius) {
     for (std::uint32_t layer = 0; layer < job.passes.back().first_layer; ++layer) {
@@ -116,7 +116,7 @@ struct Speeds {
     double seconds = 0.0;
 };
 
-/// Of the roughing layers, which are rings of an even radius.
+/// Looks at the speeds in the roughing layers, which are rings of an even radius.
 class SpeedWitness {
 public:
     SpeedWitness(const JobTable& job, const Profile& profile, double radius_mm)
@@ -207,7 +207,7 @@ TEST_P(OutsideByPlanner, TheFeedHoldsUpToThePointWhereAHeadMayCutAtAnyOverride) 
     tell_blank(fed, 0.5);
     tell_blank(job);
     const double feed_mm_s = profile.job.feed_mm_s;
-    // Of so few pulses the rounding of the curve makes some hundredths, and so does the radius.
+    // With so few pulses the rounding of the curve makes some hundredths, and so does the radius.
     const double cut_mm_s = std::max(feed_mm_s, speeds_of(profile, fed, kRadius_mm, 100).in_cut_mm_s);
     EXPECT_LE(cut_mm_s, 1.06 * feed_mm_s);
     const Speeds plain = speeds_of(profile, job, kRadius_mm, 100);

@@ -25,7 +25,7 @@ Result<std::vector<Row>> read_rows(const std::string& path, LayerRange range) {
     std::ifstream file(path);
     std::vector<Row> rows;
     std::string line;
-    // Of a job with passes there are more columns.
+    // A job with passes has more columns.
     constexpr std::string_view kHead = "layer,point,y_pulses,psi_pulses,r_left_pulses,r_right_pulses";
     if (!std::getline(file, line) || !line.starts_with(kHead)) {
         return bad_input(path + ": not an exported table");

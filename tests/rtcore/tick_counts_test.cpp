@@ -201,7 +201,8 @@ TEST_F(TickCounts, OverARealPortOneReadAndTheRegistersThatChange) {
     rig_->port->beside = nullptr;
 }
 
-/// By the wall clock, so the suite takes fewer than the million that PSICARVE_LONG=1 does, in a minute.
+/// These run on the real clock, so the suite takes fewer than the million that PSICARVE_LONG=1 does, in a
+/// minute.
 std::uint64_t ticks_on_the_real_clock() {
     return test::is_long_run() ? 1'000'000 : 50'000;
 }

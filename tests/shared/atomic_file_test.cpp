@@ -223,7 +223,7 @@ TEST_F(AtomicFile, IsNotSeenInItsFolderBeforeItIsWhole) {
     EXPECT_THAT(left_in(folder_), testing::IsEmpty());
 }
 
-// Of file systems that know no file without a name.
+// This is for file systems that know no file without a name.
 TEST_F(AtomicFile, ASignalTakesAHiddenNameAway) {
     int ready[2];
     ASSERT_EQ(::pipe(ready), 0);

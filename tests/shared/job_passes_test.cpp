@@ -179,7 +179,7 @@ TEST(OldFiles, OpenAsOneFinishingPass) {
     }
 }
 
-/// Of layout version 7: three layers of a box, roughed by two passes of three, 9 mm of blank.
+/// Files of layout version 7: three layers of a box, roughed by two passes of three, 9 mm of blank.
 TEST(OldFiles, OfSeveralPassesOpenWithThem) {
     for (const std::string name : {"layout7.job", "layout7.snapshot"}) {
         const auto snapshot = load_snapshot(in_source("tests/data/jobs/") + name);

@@ -26,7 +26,7 @@ protected:
         ASSERT_NO_FATAL_FAILURE(SegmentOfTwo::SetUp());
         ASSERT_TRUE(core_->claim_core().has_value());
     }
-    /// Of a sender that waits for longer than this.
+    /// Takes the command of a sender that waits for longer than this does.
     ReceivedCommand take() {
         const auto end = std::chrono::steady_clock::now() + milliseconds{50'000};
         while (std::chrono::steady_clock::now() < end) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may use a segment, and who may not.
+// Tests of which user may use a segment, and which may not.
 #include <gmock/gmock.h>
 #include <grp.h>
 #include <gtest/gtest.h>

@@ -26,7 +26,8 @@ protected:
         ASSERT_EQ(run({"home"}).exit_code, 0);
         true_start_ = status().sim_true_position_pulses[index_of(Axis::psi)];
     }
-    /// By the wall clock, so that a lease is what it is for the operator. Without sensors: homed at once.
+    /// The core runs on the real clock, so that a lease is what it is for the operator. Without sensors it is
+    /// homed at once.
     void start_real_core() {
         Profile profile = two_process::slow_machine();
         two_process::take_sensors_away(profile);

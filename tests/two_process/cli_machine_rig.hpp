@@ -33,8 +33,8 @@ protected:
         core_ = std::make_unique<RunningProgram>("psicarve-rtcore", arguments);
         ASSERT_TRUE(eventually([&] { return core_pid().has_value(); }));
     }
-    /// Of a core that has signed. One that only has the lock as yet has pid 0, which to kill() means this
-    /// test and the process that runs it.
+    /// The pid of a core that has signed. A core that only has the lock as yet has pid 0, which kill() takes
+    /// for this test and the process that runs it.
     std::optional<std::uint32_t> core_pid() const {
         const auto segment = Segment::attach(segment_);
         const auto pid = segment ? segment->core_pid() : std::nullopt;

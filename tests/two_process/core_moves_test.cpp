@@ -24,7 +24,7 @@ protected:
         ASSERT_EQ(refusal_of_command(command), "");
         ASSERT_TRUE(reaches(MachineState::ready));
     }
-    /// By the wall clock: long enough for a computer that is busy with others.
+    /// On the real clock this is long enough for a computer that is busy with other programs.
     static constexpr std::uint32_t kLongLease_ms = 2000;
     void jog_on(Axis axis, std::uint32_t token, std::uint32_t lease_ms = kLongLease_ms) {
         Command command{};

@@ -55,7 +55,7 @@ Profile creeping_machine() {
     return profile;
 }
 
-/// Of its first thread, as the kernel tells it.
+/// The priority of the process's first thread, as the kernel tells it.
 std::string realtime_priority(pid_t process) {
     const std::string stat = text_of("/proc/" + std::to_string(process) + "/stat");
     std::istringstream fields{stat.substr(std::min(stat.rfind(')') + 1, stat.size()))};
@@ -137,7 +137,8 @@ TEST_F(CoreOnTheRealClock, TellsHowItsTickIsTreatedAndWhatToDo) {
     // No more than one a tick; a few before the first.
     const CoreStatus later = status();
     EXPECT_LE(later.tick_sleeps, later.tick + 4);
-    // Who serves commands waits before everything ordinary, and is an ordinary thread while it does the rest.
+    // The thread that serves commands has the least realtime priority while it waits, and is an ordinary
+    // thread while it does the rest.
     EXPECT_TRUE(eventually([&] { return realtime_priority(core_->pid()) == (is_realtime ? "1" : "0"); }));
     ASSERT_EQ(refusal_of(CommandKind::shutdown), "");
     EXPECT_EQ(core_->wait_for_exit(), 0);

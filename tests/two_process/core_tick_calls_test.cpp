@@ -89,8 +89,8 @@ protected:
         ASSERT_EQ(refusal_of(CommandKind::reset_alarm), "");
         ASSERT_EQ(refusal_of(CommandKind::home), "");
     }
-    /// By the wall clock, so the suite takes little more than the work lasts; PSICARVE_LONG=1: a million, in
-    /// two minutes.
+    /// These run on the real clock, so the suite takes little more than the work lasts; PSICARVE_LONG=1: a
+    /// million, in two minutes.
     static std::uint64_t ticks_wanted() { return test::is_long_run() ? 1'000'000 : 22'000; }
     /// Calls by their numbers, without those that a tick may make.
     std::map<std::size_t, std::uint64_t> calls_but(const std::vector<long>& allowed) const {

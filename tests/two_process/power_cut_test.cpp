@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of each job that is carved to its end.
+/// The layers of each job that is carved to its end.
 constexpr std::uint32_t kPieceLayers = test::kIsSanitized ? 60 : 110;
 /// A trace's end is lost with its core: so many layers are more than that.
 constexpr std::uint32_t kLostLayers = test::kIsSanitized ? 35 : 40;
@@ -41,7 +41,7 @@ protected:
         const auto saved = load_saved_checkpoint(names().checkpoint());
         return saved ? *saved : SavedCheckpoint{};
     }
-    /// Of everything, but for what had reached the disk then.
+    /// Everything loses its power, and only what had reached the disk by then is left.
     void cut_power() {
         core_->send_signal(SIGKILL);
         core_->wait_for_exit();

@@ -163,7 +163,7 @@ struct Run {
     bool is_realtime() const { return !threads.empty() && threads.begin()->first == kTickPriority; }
 };
 
-/// Of a core that works in this folder, and has ended afterwards.
+/// The measurement of a core that works in this folder. The core has ended when it returns.
 std::optional<Run> measured_in(const std::string& folder, double period_us) {
     Bench bench{folder, period_us};
     if (!bench.begin()) {

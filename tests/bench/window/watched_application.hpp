@@ -28,7 +28,7 @@ public:
     void run_for(double seconds);
     /// Since the last call, longest first.
     std::vector<Turn> take_turns();
-    /// Whose canvas is watched: the name of the view.
+    /// The name of the view whose canvas is watched.
     void watch_view(const char* name) { watched_view_ = name; }
     /// How long each painting of the canvas took since the last call.
     std::vector<double> take_paints_ms();

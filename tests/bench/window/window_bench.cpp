@@ -46,7 +46,7 @@ double age_ms() {
     return now_ms - std::stod(field) * 1e3 / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-/// Of the processor, by all threads.
+/// The processor's time that all threads together have used.
 double process_ms() {
     timespec used{};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of a blank that does not suit the model, the machine, the tool or another job.
+// The warnings about a blank that does not suit the model, the machine, the tool or another job.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -371,7 +371,7 @@ TEST_F(ExportedTable, WhosePassesMakeNoSenseIsOneClearLine) {
                 EndsWith("line 3: layers do not count on by one"));
     EXPECT_THAT(refusal(head + first + "3,0,400,3200,4000,4000,2,2,0,0,9\n"),
                 EndsWith("line 4: layers do not count on by one"));
-    // Of a longer job these may be the last layers: runs and passes count anew.
+    // These may be the last layers of a longer job: runs and passes count anew.
     const auto rest = read(head +
                            "7,0,400,0,4000,4000,4,3,0.3,5,9\n7,1,400,3200,4000,4000,4,3,0.3,5,9\n"
                            "8,0,400,3200,4000,4000,5,4,0,0,9\n8,1,400,6400,4000,4000,5,4,0,0,9\n");

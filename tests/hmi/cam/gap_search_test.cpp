@@ -163,7 +163,7 @@ std::size_t gap_at(double direction_rad) {
     return static_cast<std::size_t>((turns - std::floor(turns)) * 2.0 * (kGapPoints - 1));
 }
 
-/// Of what is there, so much must be told at least: of all gaps together, and of each spike's.
+/// The least share that must be told of what is there: of all gaps together, and of each spike's.
 struct Share {
     double of_all;
     double of_a_spike;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of an R2 that does not stand as high as R1.
+// The messages about an R2 that does not stand as high as R1.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

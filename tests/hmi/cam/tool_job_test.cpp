@@ -230,7 +230,7 @@ TEST(ToolJob, WarnsOfABlankOrAToolThatIsTooSmall) {
     EXPECT_THAT(warnings,
                 Contains(HasSubstr("the blank's top stands 7.50 mm above the table, the model's 8.00 mm")));
     EXPECT_THAT(warnings, Contains(HasSubstr("the tool cuts 3.00 mm deep, but the job goes ")));
-    // As it is told before slicing, which refuses it.
+    // The same warning before slicing, which refuses such a blank.
     SliceReport before;
     profile.blank = {100.0, 100.0};
     warn_about_blank_size(profile, {}, {}, 8.0, before);

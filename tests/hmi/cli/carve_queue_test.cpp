@@ -10,7 +10,7 @@
 namespace psicarve::cli {
 namespace {
 
-/// Of three, of which the second is broken off when everything of it is carved.
+/// Carves three jobs. The second is broken off when all of it is carved.
 Result<int> carve_three(std::vector<std::string>& carved, const std::string& broken) {
     return carve_in_turn({"a.job", "b.job", "c.job"}, true, [&](const std::string& path) -> Result<int> {
         const OperatorBreak operator_break;

@@ -142,7 +142,7 @@ TEST_F(SliceCommand, TheFluteLengthIsSaidBesideTheTool) {
     flute_of({"--profile", profile, "--flute", "40"}, 40.0);
     flute_of({"--profile", profile, "--flute", "0"}, 0.0);
     flute_of({"--tool", "flat:2", "--flute", "5"}, 5.0);
-    // Of a table, too; a job has its own.
+    // The option is for a table, too; a job has its own.
     write("t.csv", "y_mm,r_mm\n2,6,6,6,6\n3,6,6,6,6\n");
     const Outcome table = psicarve(
         {"slice", file("t.csv"), "-o", file("t.job"), "--tool", "ball:2", "--blank", "14x8", "--flute", "3"});

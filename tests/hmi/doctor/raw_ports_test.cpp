@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of ports that a core drives by their addresses, where it is let at them. The locks are those
-// of a real core's own opening of a port, which stands still in the middle of it.
+// The doctor's lines about ports that a core drives by their addresses, where the core may. The locks are
+// those of a real core that opens a port and stands still in the middle of it.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// Of the process that opens a port: where it says that it has come to the kernel's claim.
+/// The process that opens a port says here that it has come to the kernel's claim.
 int claim_report = -1;
 
 }  // namespace
@@ -80,7 +80,7 @@ protected:
     void kernel_has(std::uint16_t base) const {
         put("/proc/sys/dev/parport/parport0/base-addr", std::to_string(base) + "\t0\n");
     }
-    /// Whose device is there for the core to claim, and not for the doctor to see.
+    /// The core can claim the port then, but the doctor does not see its device.
     void hide_device() const { remove("/dev/parport0"); }
     void without_port() const {
         remove("/dev/parport0");

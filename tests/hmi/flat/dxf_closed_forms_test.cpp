@@ -195,7 +195,7 @@ TEST_F(DxfClosedForm, LayersThatAreOffHideWhatStandsOnThemInBlocksAsWell) {
     const auto seen = dxf("0 INSERT 8 on 2 B 10 50 20 0 0 CIRCLE 8 off 10 0 20 0 40 7", tables + blocks);
     EXPECT_NEAR(area_mm2(seen), 16.0 * kPi, 0.02);
     expect_centroid(seen, {50.0, 0.0});
-    // Of a block that is inserted on it only what has no layer of its own is hidden.
+    // When a block is inserted on that layer, only what has no layer of its own is hidden.
     const auto other = dxf("0 INSERT 8 off 2 B 10 50 20 0", tables + blocks);
     EXPECT_NEAR(area_mm2(other), 4.0 * kPi, 0.02);
     expect_centroid(other, {50.0, 0.0});

@@ -24,7 +24,7 @@ protected:
     }
 };
 
-/// Of a side of 10 mm, with a corner at the origin.
+/// A square with sides of 10 mm and a corner at the origin.
 inline constexpr const char* kSquare =
     "0 LWPOLYLINE 8 0 90 4 70 1 10 0 20 0 10 10 20 0 10 10 20 10 10 0 20 10";
 

@@ -37,7 +37,7 @@ protected:
         return std::string("Exif\0\0", 6) + (is_big ? "MM" : "II") + number(42, 2) + number(8, 4) +
                number(2, 2) + entry(0x0100, 5) + entry(0x0112, orientation);
     }
-    /// Of paper that is seen through four inks, as Adobe's programs store it.
+    /// A picture of paper that is seen through four inks, as Adobe's programs store it.
     std::string ink_jpeg(const std::string& name, const std::vector<std::uint8_t>& pixels,
                          bool is_adobe) const {
         const std::string path = file(name, "");

@@ -95,7 +95,7 @@ inline std::string box_object(int id) {
     return object(id, three_mf_mesh(shapes::box({0, 0, 0}, {1, 2, 3})));
 }
 
-/// What is said, in one line, about a file that is refused; nothing when it is not.
+/// The message, in one line, about a file that is refused; nothing when it is not.
 inline std::string refusal_of_file(const std::string& path) {
     const auto mesh = model::load_mesh(path);
     if (mesh) return "";

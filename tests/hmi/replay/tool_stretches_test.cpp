@@ -64,7 +64,7 @@ protected:
         step(bit_of(step_of(Axis::r1)) | bit_of(step_of(Axis::r2)),
              bit_of(dir_of(Axis::r1)) | bit_of(dir_of(Axis::r2)), radius_pulses(mm));
     }
-    /// Of all that happened so far.
+    /// The timeline of all that happened so far.
     std::shared_ptr<const ToolTimeline> timeline(std::size_t most_places = ToolTimeline::kMostPlaces) {
         std::ofstream(file("made.trace"), std::ios::binary) << verify::as_binary(start_, events_);
         auto index = TraceIndex::build(file("made.trace"), profile_, {});

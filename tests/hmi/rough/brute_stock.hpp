@@ -18,7 +18,7 @@ namespace psicarve::rough::brute {
 /// nothing with what it judges.
 class Stock {
 public:
-    /// Of a point tool: one place for each cell of each layer's height. `rows` for others.
+    /// A point tool's stock has one place for each cell of each layer's height; `rows` is for other tools.
     Stock(const Profile& profile, const JobTable& job, std::size_t rows, std::size_t columns)
         : profile_(profile),
           tool_(tool::tool_of(profile.tool, 1.0)),

@@ -269,7 +269,7 @@ TEST_P(RandomTables, KeepAHeadThatCutsNothingInALayerClearOfTheStock) {
     Profile profile = profile_with(sweep.shape);
     profile.head_r2_angle_error_deg = sweep.angle_error_deg;
     const double pitch_mm = sweep.shape == ToolShape::point ? 0.5 : 0.4;
-    // Of one half turn nothing is to be cut: there a head is parked in every other layer, or in all.
+    // There is nothing to cut in one half turn: there a head is parked in every other layer, or in all.
     const TipRadius body = random_body(sweep.seed);
     const TipRadius half = [&body](double direction, double height_mm) {
         return std::sin(direction) > -0.1 ? 9.5 : body(direction, height_mm);

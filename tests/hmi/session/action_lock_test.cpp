@@ -227,7 +227,7 @@ TEST(Preflight, IsOfTheRunningJobWhileOneRuns) {
     EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
 }
 
-/// Of each kind of thing that a check looks at: as it should be, and not.
+/// Each kind of thing that a check looks at: as it should be, and as it should not.
 std::vector<MachineSight> machines_at_rest() {
     std::vector<MachineSight> machines;
     for (const S state : {S::off, S::ready}) {

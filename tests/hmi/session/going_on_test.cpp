@@ -39,7 +39,7 @@ std::vector<std::string> details(const UnfinishedPiece& piece, const MachineSigh
     return said;
 }
 
-/// Of five points, 1 mm apart; R1's tip at 10 mm, R2's at 20 mm.
+/// Layers of five points, 1 mm apart; R1's tip is at 10 mm, R2's at 20 mm.
 cam::PreparedJob some_layers(std::uint32_t count = 4, std::int64_t apart_pulses = 400,
                              std::vector<JobPass> passes = {}) {
     const Profile profile;

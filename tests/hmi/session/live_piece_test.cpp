@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kPieceLayers = 60;
 constexpr std::uint32_t kPiecePoints = 61;
-// Of the way between two points, for what it should be. A thread of its own has no part in that.
+// The reference takes so many steps between two points. LivePiece's own thread has no part in that.
 const int kTruthParts = test::kIsThreadSanitized && !test::is_long_run() ? 20 : 60;
 
 /// A job whose heads go once round, layer by layer, told as a core on the real clock tells it.
@@ -109,7 +109,7 @@ protected:
         carver.finish();
         return stock;
     }
-    /// Of the cells that differ: how much at most and, of all of them, on average [of a cell's height].
+    /// How much the cells differ: at most, and on average over all cells [of a cell's height].
     struct Apart {
         double most = 0.0;
         double mean = 0.0;

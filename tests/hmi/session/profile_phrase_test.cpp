@@ -39,7 +39,7 @@ bool is_number(const ProfileKey& key) {
     return key.value == ProfileValue::integer || key.value == ProfileValue::number;
 }
 
-/// Of every kind, whatever the key takes.
+/// Values of every kind, whatever the key takes.
 Values any_values() {
     return {"3",
             "-1",
@@ -155,7 +155,7 @@ protected:
         }
     }
 
-    /// Of the pairs on machines other than the usual one; with it all problems are met, too.
+    /// On machines other than the usual one, one pair in so many is tried; all problems are met even so.
     static inline const std::size_t kPairStride = psicarve::test::is_thorough() ? 1 : 5;
 
     std::size_t pairs_ = 0;

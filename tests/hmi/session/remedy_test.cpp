@@ -16,7 +16,7 @@ struct Refused {
     std::vector<Remedy> remedies;
 };
 
-/// What is said of a mesh that cannot be sliced like this.
+/// The error and the remedies for a mesh that cannot be sliced like this.
 Refused refused(const model::Mesh& mesh, const cam::JobOptions& options, const Profile& profile = {}) {
     const auto job = cam::build_job(mesh, profile, options);
     if (job) return {{ErrorCode::bad_input, "it can be sliced"}, {}};

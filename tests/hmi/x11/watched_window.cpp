@@ -108,7 +108,7 @@ QString exhaust(const QWidget& view) {
     return "none";
 }
 
-/// Of the screen, or of the window of that name.
+/// Takes a picture of the screen, or of the window of that name.
 bool picture(const QStringList& words) {
     if (words.size() < 3) return QGuiApplication::primaryScreen()->grabWindow(0).save(words.value(1));
     QWidget* const widget = widget_named(words[2]);

@@ -124,7 +124,8 @@ protected:
         ASSERT_TRUE(click("resume"));
         EXPECT_EQ(status().alarm_count, 0U);
     }
-    /// Of everything, and the disk has what it had some layers ago: what was carved since is carved again.
+    /// Everything loses its power, and the disk has what it had some layers ago: what was carved since is
+    /// carved again.
     void power_dies() {
         ASSERT_TRUE(eventually([&] { return layer_on_disk() != 0 && fs::exists(copy_of_job()); }));
         copy_disk();

@@ -31,7 +31,7 @@ protected:
         home();
         start_carving();
     }
-    /// As it was, and the machine as if nothing had been.
+    /// The window shows what it showed before, and the machine is as if nothing had been.
     void expect_back_at(const std::string& before) {
         open_window();
         EXPECT_TRUE(says("place", before));

@@ -173,7 +173,7 @@ TEST_F(GuardOrders, OneThatComesOnceItGoesOnTryingIsMeantForItAsWellThoughTheCor
     EXPECT_EQ(exit_code_within(std::chrono::seconds{kPatience_s}), kUnsafe);
 }
 
-// Of a core whose ticks come with pauses none is so long.
+// A core whose ticks come with pauses is never silent for so long.
 TEST_F(GuardOrders, OnlySilenceInOnePieceCounts) {
     EXPECT_TRUE(core_does(Step::beats, 10 * kPatience_s));
 }

@@ -18,7 +18,7 @@
 
 namespace {
 
-// Of a driver whose port another process has.
+// The claims of a driver whose port another process has.
 int claims = 0;
 std::function<void()> at_claim;
 
@@ -101,7 +101,7 @@ TEST_F(RawPort, IsClaimedByWhoMayOpenTheDeviceByCapabilityAlone) {
     claims = 0;
     const pid_t child = ::fork();
     if (child == 0) {
-        // Who is not root cannot become another user, and opens what is his own.
+        // A user who is not root cannot become another user, and opens their own files.
         if (::geteuid() == 0) {
             const auto account = rtcore::account_of("nobody");
             if (!account || !rtcore::become_user(*account)) ::_exit(1);

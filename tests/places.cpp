@@ -9,7 +9,7 @@ namespace {
 /// No profile of the developer's or of this machine changes what a test sees, in this program or in those
 /// that it starts.
 const bool kHasNoProfile = setenv("PSICARVE_PROFILE", "", 1) == 0;
-/// Nor does a test see what a core has kept here, or keep anything but where it says so itself.
+/// Nor does a test see what a core has kept here. It keeps things only where it says so itself.
 const bool kHasNoState = setenv("PSICARVE_STATE", "", 1) == 0;
 
 }  // namespace

@@ -80,10 +80,10 @@ TEST(HeadsOutside, AreNowhereWhereNobodyTellsOfABlank) {
     EXPECT_EQ(outside_of(none, none).from_pulses, kNowhere.from_pulses);
     // What the machine says of its blank is not what this job is made for.
     EXPECT_EQ(outside_of(none, with_blank(12.0)).from_pulses, kNowhere.from_pulses);
-    // Nor is what one of the passes says enough.
+    // It is not enough that one of the passes says so.
     const auto one_tells = [](JobTable& table) { table.passes[0].clear_mm = 12.0; };
     EXPECT_EQ(outside_of(none, none, one_tells).from_pulses, kNowhere.from_pulses);
-    // Nor a blank in the job's profile, where passes say that they do not know what they find.
+    // Nor is a blank in the job's profile enough, where passes say that they do not know what they find.
     const auto unknown = [](JobTable& table) {
         for (JobPass& pass : table.passes) pass.clear_mm = 0.0;
     };

@@ -159,7 +159,7 @@ TEST(SavedCheckpoint, TheRealMachinesIsFoundBeforeTheSimulatedOnes) {
     ASSERT_TRUE(save_checkpoint(saved_at(131), real.checkpoint()));
     EXPECT_EQ(find_unfinished("/shop")->saved.checkpoint.next_layer, 131U);
     EXPECT_EQ(find_unfinished("/shop", true)->saved.checkpoint.next_layer, 20U);
-    // One that is carved to its end is nothing to go on with, nor is the one before it.
+    // A job that is carved to its end is nothing to go on with, nor is the job before it.
     ASSERT_TRUE(save_checkpoint(saved_at(400), real.checkpoint()));
     EXPECT_FALSE(find_unfinished("/shop", false));
     // What stands under the wrong name is none.

@@ -96,7 +96,7 @@ void CoreOnTheRealClock::home_and_carve_in_order(const Profile& profile) {
     EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
 }
 
-/// Looks for a limit and for the index; the others' homing by the wall clock only takes as long again.
+/// Looks for a limit and for the index; homing the other axes on the real clock only takes as long again.
 Profile machine_with_two_sensors() {
     Profile profile = slow_machine();
     profile.r2.home = HomeSensor::none;

@@ -46,7 +46,7 @@ TEST_F(CoreWallClock, SetForthAndBackChangesNoPulse) {
     EXPECT_EQ(core_->wait_for_exit(), 0) << text_of(file("core.err"));
     const auto writes = port_.writes();
     EXPECT_EQ(fake_port::pulses_with_spindle(fake_port::levels_of(writes, profile_)), wanted);
-    // Nor did a tick come before its time: what a step backwards would make of a deadline.
+    // Nor did a tick come before its time, as it would if a deadline followed a step backwards.
     const double ran_s = static_cast<double>(writes.back().time_ns - writes.front().time_ns) * 1e-9;
     const CoreStatus end = load_words<CoreStatus>(segment_->header().status.words);
     EXPECT_LE(static_cast<double>(end.tick) * 1e-3, ran_s + 0.1);

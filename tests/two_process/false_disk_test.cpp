@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Disks that hang, refuse, or are watched: what a core keeps there, and who looks for it.
+// Disks that hang, refuse, or are watched: what a core keeps there, and which programs look for it.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

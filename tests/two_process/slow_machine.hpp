@@ -36,8 +36,8 @@ inline Profile slow_machine() {
     return profile;
 }
 
-/// Homed where it stands: for what is tried of a machine that is homed, and not of homing, which takes ten
-/// seconds by the wall clock.
+/// The machine is homed where it stands. This is for tests of a homed machine that do not test homing, which
+/// takes ten seconds on the real clock.
 inline void take_sensors_away(Profile& profile) {
     for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) axis->home = HomeSensor::none;
     profile.psi.home = HomeSensor::none;

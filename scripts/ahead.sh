@@ -40,7 +40,7 @@ work_ahead() {
 } &>/dev/null
 
 # end_ahead: ends that process and all that it has started, and comes back when they are gone; what they had finished
-# stays. Whoever does not go when asked is killed.
+# stays. A process that does not go when asked is killed.
 end_ahead() {
     local pid signal tries
     if [[ -z $ahead_pid ]]; then return; fi

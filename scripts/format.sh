@@ -40,7 +40,7 @@ if [[ ${1-} == --staged ]]; then
     verdict=0
     names=$(mktemp)
     trap 'rm -f "$names"' EXIT
-    # Not into the loop at once: there its failure would be nobody's.
+    # Not into the loop at once: no command would see its failure there.
     git diff --cached --name-only --diff-filter=ACMR -z -- '*.cpp' '*.hpp' >"$names" || exit 1
     while IFS= read -r -d '' file; do
         # What is in the index, which is not always what is in the folder.

@@ -128,7 +128,7 @@ def run_ctest(log, arguments, environment=None, hear=lambda line: None):
             )
             for line in run.stdout:
                 file.write(line)
-                print(line, end="", flush=True)  # whoever is ended at the time limit has said how far it came
+                print(line, end="", flush=True)  # a suite that is ended at the time limit has said how far it came
                 hear(line)
             code = run.wait()
         try:

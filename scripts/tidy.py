@@ -71,7 +71,7 @@ def stamp_of(root, command, files, foreign, version):
 
 
 def stamp_folder(build):
-    """Where the stamps are; what nobody has asked for in a long time is gone."""
+    """Where the stamps are; stamps that have not been asked for in a long time are removed."""
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     folder = os.path.join(cache, "psicarve", "tidy")
     try:
@@ -142,7 +142,7 @@ def main():
             if findings:
                 dirty += 1
                 print(findings, flush=True)
-            elif stamp(path) == todo[path]:  # nobody has changed it meanwhile
+            elif stamp(path) == todo[path]:  # unchanged meanwhile
                 open(os.path.join(stamps, todo[path]), "w").close()
     print(f"tidy: {dirty} with findings")
     return 1 if dirty else 0

@@ -62,7 +62,7 @@ def carve(programs, scratch, model, *options):
     try:
         report = json.loads(say("carve", job, "--trace", pins, "--json"))
     finally:
-        if os.path.exists("/dev/shm" + name):  # a carve leaves its segment for whoever asks afterwards
+        if os.path.exists("/dev/shm" + name):  # a carve leaves its segment for later questions
             os.unlink("/dev/shm" + name)
     head, *rows = say("snapshot", "export", job, "--format", "csv").split()
     names = head.split(",")

@@ -14,7 +14,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
-# No profile of whoever runs this has a say.
+# The profile of the user who runs this has no say.
 os.environ["PSICARVE_PROFILE"] = ""
 os.environ["PSICARVE_STATE"] = ""
 SOURCE = pathlib.Path(sys.argv.pop(2)).resolve()

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-# No profile of whoever runs this has a say.
+# The profile of the user who runs this has no say.
 os.environ["PSICARVE_PROFILE"] = ""
 os.environ["PSICARVE_STATE"] = ""
 SOURCE = pathlib.Path(sys.argv.pop(2)).resolve()
@@ -61,7 +61,7 @@ class Packages(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
     def dpkg(self, root, *arguments):
-        # Nobody of this computer is changed: below the folder, without its libraries, by a root who is none.
+        # No account of this computer is changed: below the folder, without its libraries, by a root who is none.
         stubs = pathlib.Path(self.temporary.name) / "stubs"
         stubs.mkdir(exist_ok=True)
         for name in ASKED_OF_THE_COMPUTER:
@@ -110,7 +110,7 @@ class Packages(unittest.TestCase):
         self.assertRegex((root / "etc/group").read_text(), r"(?m)^psicarve:")
         service = (root / "lib/systemd/system/psicarve-rtcore.service").read_text()
         self.assertIn("\nExecStart=/usr/bin/psicarve-rtcore ", service)
-        # Somebody who has a port enables it.
+        # A user who has a port enables it.
         self.assertEqual(list(root.rglob("*.wants")), [])
         self.assertIn("GROUP=\"psicarve\"", (root / "lib/udev/rules.d/60-psicarve.rules").read_text())
         self.assertIn("@psicarve - rtprio", (root / "etc/security/limits.d/psicarve.conf").read_text())

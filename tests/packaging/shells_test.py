@@ -13,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-# No profile, folder or shell of whoever runs this has a say.
+# Profile, folder and shell of the user who runs this have no say.
 os.environ["PSICARVE_PROFILE"] = ""
 os.environ["PSICARVE_STATE"] = ""
 for place in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):

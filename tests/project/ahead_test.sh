@@ -61,7 +61,7 @@ expect '[[ $(wc -l <"$root/began-tsan") == 1 && $(wc -l <"$root/began-fuzz") == 
 take_over tidy
 expect '[[ $ahead_parts == " asan" && ! -e $root/began-tidy ]]'
 
-# Once taken over it is nobody else's.
+# Once taken over it belongs to no other.
 comes_true '[[ $(wc -l <"$root/began-asan") == 2 ]]'
 worker=$ahead_pid
 take_over tidy

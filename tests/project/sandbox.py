@@ -5,7 +5,7 @@ libseccomp as systemd itself does.
 System calls that the unit's SystemCallFilter refuses are refused with its own error, and their names are kept
 (Sandbox.refused). Whatever else the unit forbids by a call's arguments (memory that can be written and executed,
 namespaces, set-uid files) ends the process at once. Capabilities, limits and a file tree that cannot be written are
-the unit's, too, as far as whoever runs this has the right to give them away; Sandbox.left_out says what is not.
+the unit's, too, as far as the user who runs this has the right to give them away; Sandbox.left_out says what is not.
 """
 
 import ctypes

@@ -22,7 +22,7 @@ import time
 
 import sandbox
 
-# No profile of whoever runs this has a say.
+# The profile of the user who runs this has no say.
 os.environ["PSICARVE_PROFILE"] = ""
 os.environ.pop("PSICARVE_STATE", None)
 UNIT, BUILD, EXAMPLES, WORK = sys.argv[1:5]
@@ -83,7 +83,7 @@ def quick_machine():
 
 
 class Core:
-    """With the unit's options but for places, and for the rights that nobody here can give."""
+    """With the unit's options but for places, and for the rights that no process here can give."""
 
     def __init__(self, confined, profile, port):
         environment = subprocess.run([os.path.join(BUILD, "tests", "fake_port_environment"), port, profile],

@@ -36,7 +36,7 @@ def run(command):
 
 @contextlib.contextmanager
 def removed(segment):
-    """A core leaves its segment to whoever comes next: nobody does."""
+    """A core leaves its segment for the next program. None comes here, so this removes it."""
     try:
         yield
     finally:

@@ -24,10 +24,9 @@ struct MotorLimits {
 /// The set of all states that a motor may be in, given the rooms that it had to stay in so far.
 ///
 ///     speed                        Up to +-jump speeds change at will: a position there holds all of them,
-///       |   ______                 so a range of positions describes these states (`slow`).
-///       |  / up   |                Above, acceleration is bounded. A set stays convex as long as the motor
-///       does
-///     j |_/_______|___             not stop; states that start from `slow` while older ones still run make a
+///       |   ______                 so a range of positions describes them (`slow`).
+///       |  / up   |                Above, acceleration is bounded. A set stays convex while the motor keeps
+///     j |_/_______|___             moving; states that start from `slow` while older ones still run make a
 ///       |  |   slow   |            set of their own, until the two are convex together.
 ///    -j |__|__________|            Below -jump everything is the mirror image.
 ///       |    \ down /

@@ -107,7 +107,7 @@ void Cycle::take_index() noexcept {
     const bool is_tripped = inputs_.is_tripped(kPsi);
     if (!config_.has_index || !homed_.has(kPsi) || is_positive != is_tripped) return;
     const IndexCheck index = check_index(config_, pulses_.positions()[kPsi], is_positive);
-    if (index.is_right) return job_.note_index(executor_.layer());
+    if (index.is_right) return job_.note_index(executor_.progress().layer());
     raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), index.seen_pulses - index.off_pulses,
                 index.seen_pulses);
 }
@@ -161,7 +161,7 @@ void Cycle::take_next_request(RequestRing& ring) noexcept {
 void Cycle::after_step(Executor::Progress progress) noexcept {
     using E = Executor;
     if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(clock_.tick());
-    if ((progress & E::kPoint) != 0) job_.note_points(executor_.points_reached(), clock_.tick());
+    if ((progress & E::kPoint) != 0) job_.note_points(executor_.progress().points_reached(), clock_.tick());
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
     if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);

@@ -18,12 +18,12 @@ Sample Cycle::sample() const noexcept {
     sample.move_end = move_.ended();
     sample.position_pulses = pulses_.positions();
     sample.emitted_pulses = pulses_.emitted();
-    sample.layer = executor_.layer();
-    sample.point = executor_.point();
-    sample.points_done = executor_.points_reached();
+    sample.layer = executor_.progress().layer();
+    sample.point = executor_.progress().point();
+    sample.points_done = executor_.progress().points_reached();
     job_.show_in(sample);
     sample.missed_ticks = clock_.missed();
-    sample.waited_ticks = executor_.waited_ticks();
+    sample.waited_ticks = executor_.progress().waited_ticks();
     sample.trace_lost = tracer_.lost();
     sample.reports_lost = reporter_.lost();
     sample.increments_lost = publisher_.increments_lost();

@@ -173,7 +173,7 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     drop_plan();
     const bool affects_layers = cause == AlarmCause::steps_lost && runs_job(state_);
     reporter_.report_alarm(cause, axis, expected_pulses, seen_pulses,
-                           affects_layers ? job_.affected(executor_.layer()) : JobRun::Affected{});
+                           affects_layers ? job_.affected(executor_.progress().layer()) : JobRun::Affected{});
     apply(MachineEvent::fail);
     pins_.rest_charge_pump();
     // Pulses and inputs have a timer of their own in the other schedule, which writes what it finds.

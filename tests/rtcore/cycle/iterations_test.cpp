@@ -118,8 +118,7 @@ TEST(Iterations, OfASegmentThatFitsInNoLineAreThoseOfALineOfItsOwn) {
         std::int64_t line_done;
     };
     for (const Claim claim : {Claim{0, 0}, Claim{7, 4}, Claim{7, -1}}) {
-        block.line_pulses = {claim.line_pulses, 2, 0, 0};
-        if (claim.line_pulses == 0) block.line_pulses = {};
+        block.line_pulses = {claim.line_pulses, 0, 0, 0};
         block.line_done = claim.line_done;
         Iterations sut;
         sut.start_segment(block);

@@ -74,6 +74,15 @@ TEST(PathPace, GoesOnWithTheNextSegmentInTheSpeedAtHand) {
     EXPECT_EQ(due_ticks_of(sut, 3), expected);
 }
 
+// A segment that ends between two ticks leaves the rest of the tick to the next one: nothing adds up.
+TEST(PathPace, GivesTheNextSegmentTheTimeThatIsLeftOver) {
+    PathPace sut(kPaceTick_s);
+    sut.start(even_timing(0.95), 1);
+    EXPECT_EQ(due_ticks_of(sut, 1), std::vector<int>{10});
+    sut.next(even_timing(1.04), 1);
+    EXPECT_EQ(due_ticks_of(sut, 1), std::vector<int>{10});
+}
+
 TEST(PathPace, StandsStillOnceTwoIterationsAreDueSoThatNoBurstFollows) {
     PathPace sut(kPaceTick_s);
     sut.start(even_timing(10.0), 20);

@@ -8,15 +8,12 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
     : config_(config),
       port_(&port),
       io_(&io),
-      pins_(port),
       clock_(config.period_ns),
       pulses_(config),
       inputs_(config),
-      coasting_(config_, pulses_),
-      executor_(config_, io.blocks, pulses_, inputs_),
-      lift_(config_, pulses_),
+      motion_(config_, io, pulses_, inputs_),
+      outlet_(config_, port, io, pulses_, inputs_, clock_),
       reporter_(io, clock_, pulses_, inputs_),
-      tracer_(io),
       publisher_(io, config.sample_ticks) {
     publisher_.publish(sample());
 }
@@ -45,34 +42,28 @@ void Cycle::take_in() noexcept {
 void Cycle::toggle_charge_pump() noexcept {
     const bool rests = state_ == MachineState::alarm || !port_->is_healthy();
     if (rests) {
-        pins_.rest_charge_pump();
+        outlet_.rest_charge_pump();
     } else {
-        pins_.toggle_charge_pump();
+        outlet_.toggle_charge_pump();
     }
 }
 
 void Cycle::put_out() noexcept {
     if (config_.has_charge_pump) toggle_charge_pump();
-    if (pins_.differ_from(pulses_.levels())) write_port();
+    if (outlet_.has_change()) write_port();
     // What failed once may not have taken the alarm's safe state.
-    if (state_ == MachineState::alarm && !port_->is_healthy() && pins_.try_safe_state())
+    if (state_ == MachineState::alarm && !port_->is_healthy() && outlet_.try_safe_state())
         publisher_.ask(clock_.tick());
-    tracer_.trace_change(pin_levels(), clock_.tick());
-    if (tracer_.has_new_position()) tracer_.trace_position(pin_levels(), clock_.tick(), pulses_.positions());
+    outlet_.trace();
     if (publisher_.is_due(clock_.tick())) publish();
 }
 
 void Cycle::advance_missed(std::uint64_t ticks) noexcept {
     clock_.count_missed(ticks);
-    reporter_.report_gap(ticks, coasting_.longest_harmless_gap(clock_.tick()));
+    reporter_.report_gap(ticks, motion_.coasting().longest_harmless_gap(clock_.tick()));
     const auto count = static_cast<std::int64_t>(ticks);
     check_gap((count + 1) * config_.step_ticks());
     clock_.advance(count * config_.step_ticks());
-}
-
-void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
-    const std::uint8_t axis = coasting_.axis_lost_in(gap_ticks, clock_.tick());
-    if (axis != kNoAxis) raise_alarm(AlarmCause::tick_gap, axis);
 }
 
 void Cycle::take_inputs(SignalWord raw) noexcept {
@@ -98,7 +89,7 @@ void Cycle::check_limits() noexcept {
     constexpr std::uint32_t kAtHand =
         state_bit(MachineState::off) | state_bit(MachineState::alarm) | state_bit(MachineState::testing);
     if ((kAtHand >> static_cast<unsigned>(state_) & 1U) != 0) return;
-    const std::uint8_t axis = limits_.alarming_axis(inputs_.accepted(), executor_.homing_axis());
+    const std::uint8_t axis = limits_.alarming_axis(inputs_.accepted(), motion_.homing_axis());
     if (axis != kNoAxis) raise_alarm(AlarmCause::limit, axis);
 }
 
@@ -107,7 +98,7 @@ void Cycle::take_index() noexcept {
     const bool is_tripped = inputs_.is_tripped(kPsi);
     if (!config_.has_index || !homed_.has(kPsi) || is_positive != is_tripped) return;
     const IndexCheck index = check_index(config_, pulses_.positions()[kPsi], is_positive);
-    if (index.is_right) return job_.note_index(executor_.layer());
+    if (index.is_right) return job_.note_index(motion_.progress().layer());
     raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), index.seen_pulses - index.off_pulses,
                 index.seen_pulses);
 }
@@ -158,39 +149,31 @@ void Cycle::take_next_request(RequestRing& ring) noexcept {
     take_request(request);
 }
 
-void Cycle::after_step(Executor::Progress progress) noexcept {
+void Cycle::after_step(Motion::Progress progress) noexcept {
     using E = Executor;
     if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(clock_.tick());
-    if ((progress & E::kPoint) != 0) job_.note_points(executor_.points_reached(), clock_.tick());
+    if ((progress & E::kPoint) != 0) job_.note_points(motion_.progress().points_reached(), clock_.tick());
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
-    if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, executor_.latch_axis());
+    if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, motion_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);
     if ((progress & E::kAtRest) != 0) came_to_rest();
+    if ((progress & Motion::kLifted) != 0) apply(MachineEvent::at_rest);
     if ((progress & E::kProgramEnd) != 0) program_done();
 }
 
 // Homing defines positions, by a sensor or (home = none) as they are; positioning drops whole turns of psi.
 void Cycle::note_new_position(bool by_sensor) noexcept {
-    const std::uint8_t axis = executor_.latch_axis();
+    const std::uint8_t axis = motion_.latch_axis();
     if (by_sensor || state_ == MachineState::homing) {
         homed_.add(axis);
-        reporter_.report(RecordKind::home_latch, 0, axis, executor_.latch_correction());
+        reporter_.report(RecordKind::home_latch, 0, axis, motion_.latch_correction());
     }
-    tracer_.note_new_position();
+    outlet_.note_new_position();
 }
 
 void Cycle::write_port() noexcept {
-    pins_.write(pulses_.levels(), clock_.time_ns());
-    if (pulses_.begun_pulses() != 0) end_begun_pulses();
+    outlet_.write();
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
-}
-
-void Cycle::end_begun_pulses() noexcept {
-    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
-    port_->wait(config_.pulse_ns);
-    pulses_.end_begun_pulses();
-    pins_.write(pulses_.levels(), clock_.time_ns() + config_.pulse_ns);
-    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), config_.pulse_ns);
 }
 
 void Cycle::publish() noexcept {
@@ -202,7 +185,7 @@ void Cycle::publish() noexcept {
 void Cycle::shut_down() noexcept {
     drop_plan();
     pulses_.make_safe();
-    pins_.rest_charge_pump();
+    outlet_.rest_charge_pump();
     write_port();
 }
 

@@ -5,19 +5,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "rtcore/cycle/coasting.hpp"
+#include "rtcore/cycle/alarm.hpp"
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
-#include "rtcore/cycle/executor.hpp"
-#include "rtcore/cycle/head_lift.hpp"
 #include "rtcore/cycle/homed_axes.hpp"
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/leased_move.hpp"
 #include "rtcore/cycle/limit_watch.hpp"
-#include "rtcore/cycle/output_pins.hpp"
-#include "rtcore/cycle/pin_tracer.hpp"
+#include "rtcore/cycle/motion.hpp"
+#include "rtcore/cycle/pin_outlet.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
 #include "rtcore/cycle/publisher.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
@@ -41,8 +39,11 @@ inline constexpr std::uint32_t kExecutingStates =
     state_bit(MachineState::stopping) | state_bit(MachineState::backing_off);
 
 /// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
-/// outputs. Holds the one MachineState. All methods belong to the one thread that ticks; everybody else talks
+/// outputs. Holds the one MachineState, and decides: what each part of it is for stands in that part's
+/// header, and no part knows of states. All methods belong to the one thread that ticks; everybody else talks
 /// through CycleIo. Port and io outlive it. RT: yes, every method, after construction.
+///
+/// Twenty members: its parts, each of which other parts or the states ask, and what is its own, the state.
 class Cycle {
 public:
     /// Writes the safe state to the port at time 0.
@@ -73,7 +74,7 @@ public:
     MachineState state() const noexcept { return state_; }
     const PulseStage& pulses() const noexcept { return pulses_; }
     /// On hold, or on their way there or back: the heads are off the path.
-    bool are_heads_lifted() const noexcept { return lift_.is_active(); }
+    bool are_heads_lifted() const noexcept { return motion_.are_heads_lifted(); }
     /// What the sample record shows when it is renewed.
     Sample sample() const noexcept;
 
@@ -93,41 +94,42 @@ private:
     void take_failures() noexcept;
     void watch_supervisor() noexcept;
     void take_next_request(RequestRing& ring) noexcept;
-    void after_step(Executor::Progress progress) noexcept;
+    void after_step(Motion::Progress progress) noexcept;
     void note_new_position(bool by_sensor) noexcept;
     void write_port() noexcept;
-    void end_begun_pulses() noexcept;
     void publish() noexcept;
-    void check_gap(std::int64_t gap_ticks) noexcept;
     // cycle_two_timer.cpp
     void tick_by_two_timers() noexcept;
-    // cycle_states.cpp: states and alarms
+    // cycle_states.cpp: states, and the plans that they need
     bool apply(MachineEvent event) noexcept;
     void enter(MachineState state) noexcept;
     void program_done() noexcept;
     void came_to_rest() noexcept;
     void go_on_with_motion() noexcept;
-    void step_lift() noexcept;
-    void slow_down() noexcept;
     bool lifts_on_hold() const noexcept {
         return !job_.is_dry() && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
     }
     void end_move(MoveEnd end) noexcept;
     void end_after_stop() noexcept;
     void stop() noexcept;
+    void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis,
+                      const MotionOrder* order = nullptr) noexcept;
+    void drop_plan() noexcept;
+    /// Override is of the carving; positioning, homing and retraction go as planned.
+    double feed_ratio(bool is_carving) const noexcept { return is_carving ? job_.feed_ratio() : 1.0; }
+    // cycle_alarms.cpp: into an alarm, and out of it
     void fail_controlled(AlarmCause cause) noexcept;
     void raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses = 0,
                      std::int64_t seen_pulses = 0) noexcept;
     std::uint32_t moving_axes() const noexcept;
-    void request_plan(PlanKind kind, std::uint8_t axis = kNoAxis,
-                      const MotionOrder* order = nullptr) noexcept;
-    void drop_plan() noexcept;
-    void set_feed(bool is_carving) noexcept;
+    void check_gap(std::int64_t gap_ticks) noexcept;
+    void come_back(std::uint32_t lost_axes) noexcept;
+    Refusal reset_alarm() noexcept;
+    Refusal back_off(std::uint8_t axis) noexcept;
     // cycle_requests.cpp: what the supervisor asks
     void take_request(const Request& request) noexcept;
     bool is_overtaken(const Request& request) noexcept;
     Verdict judge(const Request& request) noexcept;
-    void come_back(std::uint32_t lost_axes) noexcept;
     Refusal start_home(std::uint64_t axes) noexcept;
     Refusal reset_height() noexcept;
     void begin_homing(MachineEvent event, std::uint32_t axes) noexcept;
@@ -137,12 +139,9 @@ private:
     Refusal resume() noexcept;
     Refusal load_job(const Request& request) noexcept;
     Refusal take_override(std::uint64_t percent) noexcept;
-    Refusal reset_alarm() noexcept;
-    Refusal back_off(std::uint8_t axis) noexcept;
     Refusal record(const Request& request) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
     Verdict start_move(const Request& request) noexcept;
-    void record_order(const Request& request) noexcept;
     void check_lease() noexcept;
     void end_jog(MoveEnd end) noexcept;
     Refusal switch_spindle(bool on) noexcept;
@@ -151,10 +150,7 @@ private:
     void go_on_with_trial() noexcept;
     void end_trial(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
-    // cycle_reports.cpp
 
-    /// All pins but the charge pump: outputs as they are written, inputs as they were read.
-    SignalWord pin_levels() const noexcept { return pins_.levels() | inputs_.raw(); }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
@@ -163,31 +159,24 @@ private:
     CycleConfig config_;
     port::Port* port_;
     CycleIo* io_;
-    OutputPins pins_;
     TickClock clock_;
     PulseStage pulses_;
     Inputs inputs_;
-    Coasting coasting_;
-    Executor executor_;
-    HeadLift lift_;
+    Motion motion_;
+    PinOutlet outlet_;
     Reporter reporter_;
-    PinTracer tracer_;
     Publisher publisher_;
 
     MachineState state_ = MachineState::off;
-    AlarmCause alarm_cause_ = AlarmCause::none;
-    std::uint8_t alarm_axis_ = kNoAxis;
+    Alarm alarm_;
     HomedAxes homed_;
-    AlarmCause pending_fail_ = AlarmCause::none;  ///< raised once the controlled stop came to rest
     LimitWatch limits_;
+    JobRun job_;
     LeasedMove move_;
     PinTrial trial_;
-    std::uint32_t epoch_ = 0;
     StopWords stops_;
     SupervisorWatch supervisor_;
     bool has_pulses_to_end_ = false;
-
-    JobRun job_;
 };
 
 }  // namespace psicarve::cycle

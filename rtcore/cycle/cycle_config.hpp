@@ -25,7 +25,8 @@ struct AxisConfig {
     double accel_per_tick2 = 0.0;
 };
 
-/// A machine profile in ticks and pulses: all that the tick knows of it.
+/// A machine profile in ticks and pulses: all that the tick knows of it. Long, and without a word of its own:
+/// each part of the tick takes from it what it needs, once.
 struct CycleConfig {
     std::int64_t period_ns = 50'000;
     /// Schedule two-timer: inputs are read and pulses leave every so many ticks. 0: schedule single.

@@ -91,7 +91,8 @@ struct Report {
     std::uint32_t first_layer;
 };
 
-/// The tick's view of itself, copied out as a whole (sequence lock in our own memory). Mirrors CoreStatus.
+/// The tick's view of itself, copied out as a whole (sequence lock in our own memory). Mirrors CoreStatus,
+/// which is why it is long.
 struct Sample {
     std::uint64_t tick;
     MachineState state;

@@ -2,12 +2,13 @@
 #include "rtcore/cycle/cycle.hpp"
 
 namespace psicarve::cycle {
+
 Sample Cycle::sample() const noexcept {
     Sample sample{};
     sample.tick = clock_.tick();
     sample.state = state_;
-    sample.alarm_cause = alarm_cause_;
-    sample.alarm_axis = alarm_axis_;
+    sample.alarm_cause = alarm_.cause();
+    sample.alarm_axis = alarm_.axis();
     sample.homed_mask = homed_.mask();
     sample.signals = pulses_.levels() | inputs_.raw();
     // Samples come in step with its toggling: what they show is whether it does.
@@ -18,13 +19,13 @@ Sample Cycle::sample() const noexcept {
     sample.move_end = move_.ended();
     sample.position_pulses = pulses_.positions();
     sample.emitted_pulses = pulses_.emitted();
-    sample.layer = executor_.layer();
-    sample.point = executor_.point();
-    sample.points_done = executor_.points_reached();
+    sample.layer = motion_.progress().layer();
+    sample.point = motion_.progress().point();
+    sample.points_done = motion_.progress().points_reached();
     job_.show_in(sample);
     sample.missed_ticks = clock_.missed();
-    sample.waited_ticks = executor_.waited_ticks();
-    sample.trace_lost = tracer_.lost();
+    sample.waited_ticks = motion_.progress().waited_ticks();
+    sample.trace_lost = outlet_.trace_lost();
     sample.reports_lost = reporter_.lost();
     sample.increments_lost = publisher_.increments_lost();
     return sample;

@@ -1,41 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/cycle/cycle.hpp"
+#include "rtcore/cycle/request_effect.hpp"
 #include "shared/machine/command.hpp"
 
 namespace psicarve::cycle {
-namespace {
-
-/// It moves an axis, powers an output or leaves an alarm.
-bool sets_going(const Request& request) noexcept {
-    switch (request.kind) {
-        case RequestKind::home:
-        case RequestKind::start:
-        case RequestKind::start_interpolation:
-        case RequestKind::resume:
-        case RequestKind::reset_alarm:
-        case RequestKind::back_off:
-        case RequestKind::reset_height:
-        case RequestKind::jog:
-        case RequestKind::jog_on:
-        case RequestKind::move:
-            return true;
-        case RequestKind::spindle:
-            return request.value != 0;
-        case RequestKind::test_pin:
-            return pin_order(request.value).is_on;
-        case RequestKind::hold:
-        case RequestKind::job_loaded:
-        case RequestKind::override:
-        case RequestKind::fail:
-        case RequestKind::end_jog:
-        case RequestKind::record:
-        case RequestKind::drives_off:
-            break;
-    }
-    return false;
-}
-
-}  // namespace
 
 void Cycle::take_request(const Request& request) noexcept {
     reporter_.answer(request, is_overtaken(request) ? Verdict{Refusal::overtaken} : judge(request));
@@ -99,15 +67,6 @@ Verdict Cycle::judge(const Request& request) noexcept {
     return {Refusal::none};
 }
 
-// Somebody else had the port meanwhile, the guard or a computer that slept: nothing is slowed down any more,
-// and what stands on the pins is not what was written.
-void Cycle::come_back(std::uint32_t lost_axes) noexcept {
-    port_->forget_written();
-    homed_.lose(lost_axes);
-    raise_alarm(AlarmCause::tick_gap, kNoAxis);
-    write_port();
-}
-
 Refusal Cycle::start_home(std::uint64_t axes) noexcept {
     if (!next_state(state_, MachineEvent::home).has_value()) return Refusal::not_in_this_state;
     const auto wanted = axes == 0 ? HomedAxes::kAll : static_cast<std::uint32_t>(axes) & HomedAxes::kAll;
@@ -138,8 +97,8 @@ Refusal Cycle::start_job(LayerRange layers) noexcept {
     if (!homed_.has_all()) return Refusal::not_homed;
     job_.begin(layers, clock_.tick());
     pulses_.clear_emitted();
-    executor_.clear_points(job_.points_before());
-    tracer_.trace_job(pin_levels(), clock_.tick(), pulses_.positions(), job_.generation());
+    motion_.begin_points(job_.points_before());
+    outlet_.trace_job(job_.generation());
     apply(MachineEvent::start);
     request_plan(PlanKind::position);
     return Refusal::none;
@@ -151,22 +110,13 @@ Refusal Cycle::start_interpolation() noexcept {
 
 Refusal Cycle::hold() noexcept {
     if (!apply(MachineEvent::hold)) return Refusal::not_in_this_state;
-    // On their way back to the path the heads turn round.
-    if (lift_.is_active()) {
-        lift_.lift();
-    } else {
-        executor_.slow_down();
-    }
+    motion_.hold();
     return Refusal::none;
 }
 
 Refusal Cycle::resume() noexcept {
     if (!apply(MachineEvent::resume)) return Refusal::not_in_this_state;
-    if (lift_.is_active()) {
-        lift_.lower();
-    } else {
-        executor_.go_on();
-    }
+    motion_.resume();
     return Refusal::none;
 }
 
@@ -176,7 +126,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
         return Refusal::not_in_this_state;
     }
     job_.load(request.value, request.points_total, request.points_per_layer);
-    executor_.clear_points();
+    motion_.begin_points(0);
     publisher_.ask(clock_.tick());
     return Refusal::none;
 }
@@ -189,37 +139,8 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
         state_bit(S::waiting) | state_bit(S::carving) | state_bit(S::holding) | state_bit(S::held);
     if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
     job_.set_override(percent);
-    set_feed((kCarving >> static_cast<unsigned>(state_) & 1U) != 0);
+    motion_.set_feed_ratio(feed_ratio((kCarving >> static_cast<unsigned>(state_) & 1U) != 0));
     publisher_.ask(clock_.tick());
-    return Refusal::none;
-}
-
-Refusal Cycle::reset_alarm() noexcept {
-    if (state_ != MachineState::alarm) return Refusal::not_in_this_state;
-    if (!port_->is_healthy()) {
-        if (!port_->take_up_again()) return Refusal::port_failed;
-        // Who knows what its lines did meanwhile.
-        homed_.lose_all();
-    }
-    if (cause_remains()) return Refusal::still_tripped;
-    alarm_cause_ = AlarmCause::none;
-    alarm_axis_ = kNoAxis;
-    apply(homed_.has_all() ? MachineEvent::reset_alarm_homed : MachineEvent::reset_alarm_unhomed);
-    return Refusal::none;
-}
-
-Refusal Cycle::back_off(std::uint8_t axis) noexcept {
-    if (state_ != MachineState::alarm) return Refusal::not_in_this_state;
-    if (axis >= kAxisCount || axis == index_of(Axis::psi) || !config_.axes[axis].has_sensor) {
-        return Refusal::no_sensor;
-    }
-    if (!port_->is_healthy()) return Refusal::port_reset_first;
-    if (!inputs_.is_tripped(axis)) return Refusal::sensor_not_tripped;
-    if ((inputs_.raw() & kEstopBit) != 0) return Refusal::still_tripped;
-    homed_.lose(1U << axis);
-    limits_.exempt(inputs_.accepted() | inputs_.raw());
-    apply(MachineEvent::back_off);
-    request_plan(PlanKind::back_off, axis);
     return Refusal::none;
 }
 
@@ -227,13 +148,11 @@ Refusal Cycle::back_off(std::uint8_t axis) noexcept {
 Refusal Cycle::record(const Request& request) noexcept {
     const auto form = static_cast<RecordingForm>(request.value);
     if (form == RecordingForm::none) {
-        const bool has_ended =
-            tracer_.end_recording(request.lease_token, pin_levels(), clock_.tick(), pulses_.positions());
-        return has_ended ? Refusal::none : Refusal::recording;
+        return outlet_.end_recording(request.lease_token) ? Refusal::none : Refusal::recording;
     }
-    if (!tracer_.can_record()) return Refusal::recording;
+    if (!outlet_.can_record()) return Refusal::recording;
     if (state_ != MachineState::off && state_ != MachineState::ready) return Refusal::not_in_this_state;
-    tracer_.begin_recording(form, request.lease_token, pin_levels(), clock_.tick(), pulses_.positions());
+    outlet_.begin_recording(form, request.lease_token);
     return Refusal::none;
 }
 

@@ -27,15 +27,10 @@ void Cycle::take_inputs_and_step() noexcept {
     clock_.advance(config_.io_ticks);
 }
 
-// The tick is already the next one of inputs and pulses. Other levels that changed meanwhile wait for it.
+// The tick is already the next one of inputs and pulses.
 void Cycle::end_pulses() noexcept {
     has_pulses_to_end_ = false;
-    const TickClock next = clock_;
-    clock_ = clock_.earlier_by(config_.io_ticks - config_.step_high_ticks);
-    pulses_.end_pulses(clock_.tick());
-    pins_.end_pulses(clock_.time_ns());
-    if (tracer_.is_on()) tracer_.trace_pins(pin_levels(), clock_.tick(), 0);
-    clock_ = next;
+    outlet_.end_pulses(clock_.before(config_.io_ticks - config_.step_high_ticks));
 }
 
 // What it decides shows on the pins at the next tick, that one of inputs and pulses.

@@ -16,10 +16,12 @@ public:
     static constexpr std::uint32_t kHeadsMask = (1U << kHeads) - 1;
 
     std::uint8_t mask() const noexcept { return static_cast<std::uint8_t>(mask_); }
+    /// Requires axis < kAxisCount.
     bool has(std::size_t axis) const noexcept { return (mask_ >> axis & 1U) != 0; }
     bool has_all() const noexcept { return mask_ == kAll; }
     bool has_heads() const noexcept { return (mask_ & kHeadsMask) == kHeadsMask; }
 
+    /// Requires axis < kAxisCount.
     void add(std::size_t axis) noexcept { mask_ |= 1U << axis; }
     void add_all() noexcept { mask_ = kAll; }
     void lose(std::uint32_t axes) noexcept { mask_ &= ~axes; }

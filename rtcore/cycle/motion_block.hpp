@@ -51,7 +51,8 @@ struct PathTiming {
 };
 
 /// One piece of motion. Written by the planner, read by the tick. Speeds are those of the long axis: DDA
-/// iterations per second, each iteration at least one pulse.
+/// iterations per second, each iteration at least one pulse. Long, as one entry of the queue has room for
+/// every kind of block.
 struct MotionBlock {
     BlockKind kind;
     Until until;

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "rtcore/cycle/motion_block.hpp"
+#include "rtcore/cycle/path_target.hpp"
+#include "rtcore/cycle/segment_limits.hpp"
 
 namespace psicarve::cycle {
 
@@ -23,13 +25,7 @@ namespace psicarve::cycle {
 /// one, and a profile scaled down is allowed. Docs: interpolation.md. RT: yes.
 class PathLaw {
 public:
-    /// The value of both profiles at one place [per tick^2], and their slopes within the segment.
-    struct Profiles {
-        double low, high;
-        double low_slope, high_slope;
-    };
-
-    explicit PathLaw(double period_s) noexcept : period_s_(period_s) {}
+    explicit PathLaw(double period_s) noexcept : limits_(period_s) {}
 
     /// A run begins from rest, as fast as its target does.
     void start(const PathTiming& timing) noexcept;
@@ -55,7 +51,7 @@ public:
     bool is_at_end() const noexcept { return is_at_end_; }
 
     /// It may come to rest with a jump from here.
-    bool is_slowest() const noexcept { return speed() <= start_stop_speed(); }
+    bool is_slowest() const noexcept { return speed() <= limits_.start_stop_speed(); }
     void rest() noexcept;
 
     /// du/dt and d2u/dt2 now, per tick.
@@ -77,14 +73,8 @@ private:
     void begin_piece() noexcept;
     void follow() noexcept;
     void steer() noexcept;
-    void cut_short(const Profiles& profiles, double gap, double accel) noexcept;
+    void cut_short(const SegmentLimits::Profiles& profiles, double gap, double accel) noexcept;
     void stand() noexcept;
-    Profiles profiles_at(double way) const noexcept;
-    double target_of(double low, double high) const noexcept { return low_share_ * low + high_share_ * high; }
-    double spare_accel(double speed2) const noexcept;
-    double rising_accel(const Profiles& profiles) const noexcept;
-    double falling_accel(const Profiles& profiles) const noexcept;
-    double start_stop_speed() const noexcept { return double{timing_.start_stop_speed} * period_s_; }
 
     double clock_ = 0.0;  ///< ticks since the piece began; at the segment's end, since then
     double piece_end_ = std::numeric_limits<double>::infinity();
@@ -101,11 +91,8 @@ private:
     bool is_following_ = true;  ///< on the target
     bool is_resting_ = false;
 
-    double period_s_;
-    double low_share_ = 1.0;  ///< target = low_share * profile[0] + high_share * profile[1]
-    double high_share_ = 0.0;
-    double feed_ratio_ = 1.0;
-    PathTiming timing_{};
+    PathTarget target_;
+    SegmentLimits limits_;
 };
 
 }  // namespace psicarve::cycle

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_config.hpp"
+#include "rtcore/cycle/tips.hpp"
 #include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
@@ -30,12 +31,8 @@ public:
           low_ticks_(ticks(config.step_low_ticks)),
           setup_ticks_(ticks(config.dir_setup_ticks)),
           hold_ticks_(ticks(config.dir_hold_ticks)),
-          has_gate_(config.has_two_timers()) {
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            backlash_[k] = config.axes[k].backlash_pulses;
-            has_backlash_ = has_backlash_ || backlash_[k] > 0;
-        }
-    }
+          has_gate_(config.has_two_timers()),
+          tips_(config) {}
 
     /// First thing of a tick: pulses end, directions that waited for their hold time turn.
     void begin_tick(std::uint64_t tick) noexcept {
@@ -119,16 +116,16 @@ public:
 
     SignalWord levels() const noexcept { return levels_; }
     /// Of the tips: pulses that only cross a screw's gap do not count.
-    const std::array<std::int64_t, kAxisCount>& positions() const noexcept { return position_; }
+    const std::array<std::int64_t, kAxisCount>& positions() const noexcept { return tips_.positions(); }
     const std::array<std::uint64_t, kAxisCount>& emitted() const noexcept { return emitted_; }
     void clear_emitted() noexcept { emitted_.fill(0); }
     void set_position(std::size_t axis, std::int64_t position_pulses) noexcept {
-        position_[axis] = position_pulses;
+        tips_.set_position(axis, position_pulses);
     }
-    bool has_backlash() const noexcept { return has_backlash_; }
+    bool has_backlash() const noexcept { return tips_.has_backlash(); }
     /// Pulses upwards (or down) that go by before the tip follows.
     std::int64_t take_up_pulses(std::size_t axis, bool up) const noexcept {
-        return up ? slack_[axis] : backlash_[axis] - slack_[axis];
+        return tips_.take_up_pulses(axis, up);
     }
     /// Has it stepped within the last `ticks` ticks?
     bool stepped_within(std::size_t axis, std::int64_t within_ticks, std::uint64_t tick) const noexcept {
@@ -142,14 +139,6 @@ private:
     static constexpr std::size_t kEnableShift = index_of(Signal::r1_enable);
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
     static std::uint64_t ticks(std::int64_t count) noexcept { return static_cast<std::uint64_t>(count); }
-    /// The tip rests against the flank that pushes it: slack 0 is the one that pushes it up.
-    void move_tip(std::size_t axis, bool up) noexcept {
-        if (take_up_pulses(axis, up) > 0) {
-            slack_[axis] += up ? -1 : 1;
-        } else {
-            position_[axis] += up ? 1 : -1;
-        }
-    }
     bool emitted_ever(std::size_t axis) const noexcept { return last_step_[axis] != kNever; }
     bool is_time_to_step(std::uint32_t axes, std::uint64_t tick) const noexcept {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -160,7 +149,7 @@ private:
     void begin_pulses(std::uint32_t axes, std::uint64_t tick) noexcept {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             if ((axes >> k & 1U) == 0) continue;
-            move_tip(k, (levels_ >> (kDirShift + k) & 1U) != 0);
+            tips_.count_pulse(k, (levels_ >> (kDirShift + k) & 1U) != 0);
             ++emitted_[k];
             last_step_[k] = tick;
             step_from_[k] = tick + high_ticks_ + low_ticks_;
@@ -181,11 +170,8 @@ private:
     std::uint32_t dir_waiting_ = 0;  ///< axes whose direction pin must turn before they step
     std::array<std::uint64_t, kAxisCount> step_from_{};
     std::array<std::uint64_t, kAxisCount> last_step_{kNever, kNever, kNever, kNever};
-    std::array<std::int64_t, kAxisCount> position_{};
     std::array<std::uint64_t, kAxisCount> emitted_{};
-    std::array<std::int64_t, kAxisCount> backlash_{};
-    std::array<std::int64_t, kAxisCount> slack_{};  ///< of the gap, crossed downwards
-    bool has_backlash_ = false;
+    Tips tips_;
 };
 
 }  // namespace psicarve::cycle

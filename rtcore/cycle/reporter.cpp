@@ -2,6 +2,7 @@
 #include "rtcore/cycle/reporter.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "rtcore/cycle/request_command.hpp"
 #include "shared/machine/command.hpp"
@@ -45,6 +46,25 @@ void Reporter::report_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t ex
     entry.first_layer = affected.first_layer;
     entry.layer_count = affected.layer_count;
     push(entry);
+}
+
+void Reporter::report_order(const MotionOrder& order) noexcept {
+    const auto note = [&](OrderPart part, std::uint8_t axis, std::int64_t value) noexcept {
+        report(RecordKind::order, static_cast<std::uint16_t>(part), axis, value);
+    };
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if ((order.axes >> k & 1U) == 0) continue;
+        note(OrderPart::target, static_cast<std::uint8_t>(k), order.target_pulses[k]);
+    }
+    if (order.shape != OrderShape::straight) {
+        note(OrderPart::shape, kNoAxis, static_cast<std::int64_t>(order.shape));
+        for (std::size_t i = 0; i < order.centre_pulses.size(); ++i) {
+            note(OrderPart::centre, static_cast<std::uint8_t>(i), order.centre_pulses[i]);
+        }
+    }
+    if (order.speed_pps > 0.0) {
+        note(OrderPart::speed, kNoAxis, std::bit_cast<std::int64_t>(order.speed_pps));
+    }
 }
 
 // Each by itself, at once: who looks at the recorder finds there what the status has counted.

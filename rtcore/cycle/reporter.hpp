@@ -8,14 +8,9 @@
 #include "rtcore/cycle/job_run.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/cycle/tick_clock.hpp"
+#include "rtcore/cycle/verdict.hpp"
 
 namespace psicarve::cycle {
-
-/// What became of a request.
-struct Verdict {
-    Refusal refusal;              ///< none: done
-    std::uint8_t axis = kNoAxis;  ///< the one for which it is refused, where there is one
-};
 
 /// Tells the supervisor what happens, in the order in which it happens, each with the tick, the levels and
 /// the positions of that moment. Waits for no reader: what finds the ring full is counted as lost. Clock,
@@ -31,6 +26,8 @@ public:
     /// Counts are those of steps_lost, as Report has them.
     void report_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expected_pulses,
                       std::int64_t seen_pulses, JobRun::Affected affected) noexcept;
+    /// Where a jog or a move is to go, one record each part: a replay asks for the same again by them.
+    void report_order(const MotionOrder& order) noexcept;
     /// Missed ticks, of which so many would do no harm. Half of the ring is kept for other reports: a
     /// harmless gap that finds it full is lost.
     void report_gap(std::uint64_t ticks, std::uint32_t longest_harmless_ticks) noexcept;

@@ -18,11 +18,13 @@ public:
         tick_ += static_cast<std::uint64_t>(ticks);
         time_ns_ += ticks * period_ns_;
     }
-    /// As it was so many ticks ago.
-    TickClock earlier_by(std::int64_t ticks) const noexcept {
-        TickClock earlier = *this;
-        earlier.advance(-ticks);
-        return earlier;
+    struct Instant {
+        std::uint64_t tick;
+        std::int64_t time_ns;
+    };
+    /// So many ticks ago. Requires that there were as many.
+    Instant before(std::int64_t ticks) const noexcept {
+        return {tick_ - static_cast<std::uint64_t>(ticks), time_ns_ - ticks * period_ns_};
     }
 
     /// So many ticks, or steps of the interpolation, did not come. Time passes by advance() alone.

@@ -91,7 +91,7 @@ std::int64_t TickTimes::steps_in(double seconds, std::int64_t period_steps) cons
     return period_steps * static_cast<std::int64_t>(std::ceil(periods - kLateSteps));
 }
 
-// As Executor::begin_take_up.
+// As TakeUp::begin().
 std::int64_t TickTimes::steps_in_gaps_before(const MotionBlock& block) {
     Pulses4 way_pulses{};
     for (std::size_t k = 0; k < kAxisCount; ++k) {

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/mutants.py changes what it says it changes, and nothing in comments, texts or declarations."""
 
+import glob
 import importlib.util
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -64,6 +66,20 @@ class Changes(unittest.TestCase):
         for _, programs in mutants.JUDGES:
             for name in programs:
                 self.assertIn(f"psicarve_test({name} ", declared.replace("\n", " "))
+
+
+class Page(unittest.TestCase):
+    def test_rows_name_functions_that_are_there(self):
+        with open(os.path.join(ROOT, "docs", "mutants.md"), encoding="utf-8") as file:
+            rows = [line.split("|")[1] for line in file if line.startswith("| ")]
+        named = [pair for row in rows for pair in re.findall(r"(\w+\.[ch]pp) `(\w+)`", row)]
+        self.assertGreater(len(named), 3)
+        sources = glob.glob(os.path.join(ROOT, "rtcore", "**", "*.?pp"), recursive=True)
+        for name, function in named:
+            found = [path for path in sources if os.path.basename(path) == name]
+            self.assertEqual(len(found), 1, name)
+            with open(found[0], encoding="utf-8") as file:
+                self.assertRegex(file.read(), rf"\b{function}\(", name)
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ public:
         }
         if (axes != 0) iterations.push_back({now, axes});
         if ((progress & Executor::kGroupStarted) != 0) start_tick = now;
-        if ((progress & Executor::kPoint) != 0) points.push_back({now, executor.point()});
+        if ((progress & Executor::kPoint) != 0) points.push_back({now, executor.progress().point()});
         seen |= progress;
         ++now;
         return progress;

@@ -96,7 +96,7 @@ TEST(PathSegments, ReportEachPointWithItsLastIteration) {
         EXPECT_EQ(sut.points[i].axes, i + 1);
         EXPECT_EQ(sut.points[i].tick, sut.iterations[last - 1].tick);
     }
-    EXPECT_EQ(sut.executor.points_reached(), 100U);
+    EXPECT_EQ(sut.executor.progress().points_reached(), 100U);
 }
 
 // Each lasts 2.37... ticks, a number that no double holds exactly.
@@ -223,7 +223,7 @@ TEST(PathSegments, TurnAnAxisAheadWhileItStandsStill) {
     ASSERT_TRUE(sut.run());
     EXPECT_EQ(sut.pulses.positions(), (Deltas{10, 0, 50, 0}));
     // The first one waits for the pins as they stood before the run.
-    EXPECT_LT(sut.executor.waited_ticks(), 4U);
+    EXPECT_LT(sut.executor.progress().waited_ticks(), 4U);
     const std::vector<long double> due = due_ticks(sut.program);
     for (std::size_t i = 10; i < due.size(); ++i) {
         EXPECT_LT(static_cast<long double>(sut.iterations[i].tick - sut.start_tick), due[i] + 1.0L) << i;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -141,6 +142,35 @@ TEST(Reporter, CountsWhatFindsTheRingFull) {
     rig.sut.report(RecordKind::stop, 0);
     rig.sut.answer(request_of(RequestKind::hold), {Refusal::none});
     EXPECT_EQ(rig.sut.lost(), 2U);
+}
+
+TEST(Reporter, TellsAnOrderInPartsOfWhichAReplayMakesItAgain) {
+    ReporterRig rig;
+    MotionOrder order{};
+    order.axes = 0b1001;
+    order.target_pulses = {11, 22, 33, 44};
+    rig.sut.report_order(order);
+    const auto expect = [&](OrderPart part, std::uint8_t axis, std::int64_t value) {
+        const Report report = rig.next().value();
+        EXPECT_EQ(report.record.kind, RecordKind::order);
+        EXPECT_EQ(report.record.code, static_cast<std::uint16_t>(part));
+        EXPECT_EQ(report.record.axis, axis);
+        EXPECT_EQ(report.record.value, value);
+    };
+    expect(OrderPart::target, 0, 11);
+    expect(OrderPart::target, 3, 44);
+    EXPECT_FALSE(rig.next().has_value()) << "no other axis, no shape, no speed";
+    order.shape = OrderShape::clockwise;
+    order.centre_pulses = {5, 6};
+    order.speed_pps = 1.5;
+    order.axes = 0b0010;
+    rig.sut.report_order(order);
+    expect(OrderPart::target, 1, 22);
+    expect(OrderPart::shape, kNoAxis, static_cast<std::int64_t>(OrderShape::clockwise));
+    expect(OrderPart::centre, 0, 5);
+    expect(OrderPart::centre, 1, 6);
+    expect(OrderPart::speed, kNoAxis, std::bit_cast<std::int64_t>(1.5));
+    EXPECT_FALSE(rig.next().has_value());
 }
 
 }  // namespace

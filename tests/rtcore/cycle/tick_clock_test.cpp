@@ -19,11 +19,13 @@ TEST(TickClock, LetsTimePassInWholePeriods) {
 TEST(TickClock, TellsWhatItShowedAndGoesOnUntouched) {
     TickClock sut(100'000);
     sut.advance(5);
-    const TickClock earlier = sut.earlier_by(3);
-    EXPECT_EQ(earlier.tick(), 2U);
-    EXPECT_EQ(earlier.time_ns(), 200'000);
+    sut.count_missed(1);
+    const TickClock::Instant earlier = sut.before(3);
+    EXPECT_EQ(earlier.tick, 2U);
+    EXPECT_EQ(earlier.time_ns, 200'000);
     EXPECT_EQ(sut.tick(), 5U);
     EXPECT_EQ(sut.time_ns(), 500'000);
+    EXPECT_EQ(sut.missed(), 1U);
 }
 
 TEST(TickClock, CountsMissedTicksAndLetsNoTimePassByIt) {

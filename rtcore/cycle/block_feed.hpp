@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "rtcore/cycle/motion_block.hpp"
+
+namespace psicarve::cycle {
+
+/// Takes the plan's motion blocks from their queue, one after another, and holds the block at hand. Blocks of
+/// dropped plans never become it. A group of lines or path segments begins once all of it is queued, or
+/// kGroupStartBlocks of it: then it cannot run dry. The queue outlives it. RT: yes.
+class BlockFeed {
+public:
+    explicit BlockFeed(BlockRing& blocks) noexcept : blocks_(&blocks) {}
+
+    /// Only blocks of this epoch come from now on; a pause and the group at hand end.
+    void reset(std::uint32_t epoch) noexcept {
+        epoch_ = epoch;
+        pause_ticks_left_ = 0;
+        group_blocks_left_ = 0;
+    }
+
+    /// At rest, every tick. True: the block at hand is the next of the plan, the first of its group. False:
+    /// there is none, its group is not queued yet, or a pause goes on.
+    bool take_first() noexcept;
+    /// For so many ticks take_first() says no.
+    void pause(std::int64_t ticks) noexcept { pause_ticks_left_ = ticks; }
+
+    /// The block at hand is the last of its group.
+    bool is_last_of_group() const noexcept { return group_blocks_left_ == 0; }
+    /// Requires !is_last_of_group(). False: the group breaks off here, and the block at hand stays.
+    bool take_next_of_group() noexcept;
+    /// That which take_next_of_group() would take, or nullptr.
+    const MotionBlock* next_of_group() const noexcept;
+
+    const MotionBlock& block() const noexcept { return block_; }
+    /// An axis of the block at hand goes so much further.
+    void lengthen(std::size_t axis, std::int64_t extra_pulses) noexcept {
+        block_.delta_pulses[axis] += extra_pulses;
+    }
+    /// How many points of the job the block at hand reaches with its end; asked again: 0.
+    std::uint32_t take_points() noexcept { return std::exchange(block_.reaches_points, std::uint8_t{0}); }
+
+private:
+    bool drop_foreign_blocks() noexcept;
+
+    BlockRing* blocks_;
+    MotionBlock block_{};
+    std::uint32_t epoch_ = 0;
+    std::uint32_t group_blocks_left_ = 0;
+    std::int64_t pause_ticks_left_ = 0;
+};
+
+}  // namespace psicarve::cycle

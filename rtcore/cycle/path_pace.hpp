@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "rtcore/cycle/motion_block.hpp"
+#include "rtcore/cycle/path_law.hpp"
+
+namespace psicarve::cycle {
+
+/// Whether time passes in a segment at all. What does not end would hold the machine for good, without a
+/// word. RT: yes.
+constexpr bool can_end(const PathTiming& timing) noexcept {
+    return timing.length > 0.0 && timing.start_speed2[0] >= 0.0 && timing.end_speed2[0] >= 0.0 &&
+           timing.start_speed2[0] + timing.end_speed2[0] > 0.0;
+}
+
+/// When the iterations of a path's segments are due. They lie evenly on the way of u, from which the path law
+/// makes time; the last is due with the segment's end, so that way and pulses end together:
+///
+///     u  0 ------ 1 ------ 2 ------ 3 ------ 4 = length     segment of 4 iterations
+///
+/// Time passes by tick(), and stands still once two iterations are due: so a short wait for the pins is made
+/// up for, and a burst never comes. RT: yes.
+class PathPace {
+public:
+    explicit PathPace(double period_s) noexcept : law_(period_s) {}
+
+    /// A run begins, from rest. Both require that the segment can_end().
+    void start(const PathTiming& timing, std::int64_t iterations) noexcept {
+        law_.start(timing);
+        spread(timing, iterations);
+    }
+    /// The run's next segment. Requires is_at_end().
+    void next(const PathTiming& timing, std::int64_t iterations) noexcept {
+        law_.next(timing);
+        spread(timing, iterations);
+    }
+
+    void tick() noexcept {
+        if (law_.way() < due_way_ + iteration_way_) law_.tick();
+    }
+    /// Whether the next iteration is due, when so many of the segment are not made yet.
+    bool is_due(std::int64_t left) const noexcept {
+        return left > 0 && (law_.is_at_end() || (left > 1 && law_.way() >= due_way_));
+    }
+    /// The iteration that was due is out.
+    void take() noexcept { expect(iteration_ + 1.0); }
+    bool is_at_end() const noexcept { return law_.is_at_end(); }
+
+    /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest().
+    void aim(double feed_ratio) noexcept { law_.aim(feed_ratio); }
+    bool is_slowest() const noexcept { return law_.is_slowest(); }
+    void rest() noexcept { law_.rest(); }
+
+private:
+    // An iteration that is due at the very instant of a tick must not fall behind it by rounding.
+    static constexpr double kEarlyIterations = 1e-9;
+
+    void spread(const PathTiming& timing, std::int64_t iterations) noexcept {
+        iteration_way_ = iterations > 0 ? timing.length / static_cast<double>(iterations) : timing.length;
+        expect(1.0);
+    }
+    void expect(double iteration) noexcept {
+        iteration_ = iteration;
+        due_way_ = (iteration - kEarlyIterations) * iteration_way_;
+    }
+
+    PathLaw law_;
+    double iteration_ = 0.0;      ///< the number of the next one in its segment, from 1
+    double iteration_way_ = 0.0;  ///< from one to the next
+    double due_way_ = 0.0;        ///< where the next one is due
+};
+
+}  // namespace psicarve::cycle

@@ -125,6 +125,7 @@ QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3
 QFrame[notice="true"], #desk_refusal { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
 QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 #alarm_room, #alarm_room > QWidget, #alarm_room > QWidget > QWidget { background: transparent; border: 0; }
+*[text_room="true"], *[text_room="true"] > QWidget, *[text_room="true"] > QWidget > QWidget { background: transparent; border: 0; }
 #banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }
 )";
 

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "hmi/session/going_on.hpp"
+#include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/side_panels.hpp"

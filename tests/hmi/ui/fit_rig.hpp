@@ -64,9 +64,10 @@ protected:
         window_->resize(size());
         settle();
     }
-    /// What was written anew takes its room with the second look.
+    /// What was written anew takes its room with the second look; where that scrolls, the room round it with
+    /// the fourth.
     void settle() {
-        for (int look = 0; look < 3; ++look) {
+        for (int look = 0; look < 5; ++look) {
             window_->refresh();
             QApplication::processEvents();
         }

@@ -160,6 +160,7 @@ QString style_sheet(const Tokens& tokens, bool is_wide) {
                                                       {"@text2", tokens.text2},
                                                       {"@text", tokens.text},
                                                       {"@on_fill", tokens.on_fill},
+                                                      {"@on_warn", tokens.on_warn},
                                                       {"@panel", tokens.panel},
                                                       {"@field", tokens.field},
                                                       {"@line", tokens.line},

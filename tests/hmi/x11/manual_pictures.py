@@ -187,6 +187,7 @@ def a_replay(place):
     place.open_window(trace)
     place.click(f"tab {CARVING_PAGE}")
     place.click("timeline", where=0.55)
+    place.until("the piece at that time", lambda: "/ 250" in place.ask("text carving_point"))
     place.picture("replay")
 
 

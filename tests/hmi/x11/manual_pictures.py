@@ -140,6 +140,7 @@ def by_hand(place):
     place.xdotool("type", "16")
     place.press("Return")
     place.click("hold_high", how="mousedown")
+    place.reaches("testing")  # a busy computer has let go of it already: then once more, with less beside
     place.picture("operator_wiring")
     place.xdotool("mouseup", "1")
     place.click("arm_wiring")

@@ -180,17 +180,22 @@ void MachineSession::look_for_checkpoint() {
 }
 
 void MachineSession::look_for_saved_piece() {
+    if (!has_looked_) return;  // whose piece it may be is not known yet
     auto found = disk_.take();
     const bool is_wanted = may_be_saved(sight_) || sight_.is_checkpoint_from_disk;
     if (!is_wanted) {
         saved_looked_ = {};  // the next request asks at once
         return sight_.saved_piece.reset();
     }
+    const bool has_status = sight_.is_heard() && sight_.status;
+    const auto kind = has_status ? std::optional{sight_.is_simulator()} : std::nullopt;
+    if (std::exchange(saved_kind_, kind) != kind) saved_looked_ = {};
     if (found) sight_.saved_piece = std::move(*found);
+    const auto& shown = sight_.saved_piece;
+    if (shown && kind && shown->saved.name().is_simulator != *kind) sight_.saved_piece.reset();
     const auto now = Clock::now();
     if (disk_.is_under_way() || now - saved_looked_ < kDiskPause) return;
     saved_looked_ = now;
-    const auto kind = sight_.is_heard() ? std::optional{sight_.is_simulator()} : std::nullopt;
     const CoreKeeping core = link_ ? link_->segment().core_keeping() : CoreKeeping{};
     disk_.begin([name = options_.segment_name, kind, folder = options_.state_folder, core] {
         return find_unfinished(name, kind, folder, core);

@@ -142,7 +142,8 @@ private:
     Clock::time_point heartbeat_changed_{};
     Clock::time_point attach_tried_{};
     Clock::time_point saved_looked_{};
-    std::optional<Clock::time_point> unsigned_since_;  ///< since when the lock's words name no living process
+    std::optional<bool> saved_kind_;  ///< of the machine heard then: simulated; nothing: none was heard
+    std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name nobody who lives
     StartIntent intent_;
     bool has_looked_ = false;  ///< has looked for a core, and knows whether one was there
     bool watches_only_ = false;

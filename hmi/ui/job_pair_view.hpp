@@ -9,6 +9,7 @@
 #include "hmi/ui/bench.hpp"
 #include "hmi/ui/side_panels.hpp"
 
+class QHBoxLayout;
 class QLabel;
 class QVBoxLayout;
 

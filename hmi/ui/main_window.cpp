@@ -24,6 +24,7 @@
 #include "hmi/ui/alarm_banner.hpp"
 #include "hmi/ui/core_profile_bar.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/first_touch.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/job_panel.hpp"
 #include "hmi/ui/jog_panel.hpp"
@@ -78,7 +79,7 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
       drawing_(drawing),
       settings_(*bench_.settings),
       menu_(new QMenu{this}) {
-    bench_.settings->await_read(kSettingsLimit);
+    if (!bench_.settings->await_read(kSettingsLimit)) first_touch_ = std::make_unique<FirstTouch>(*this);
     bench_.settings->set_on_read([this] { take_settings(); });
     setWindowTitle("Psicarve");
     setAcceptDrops(true);

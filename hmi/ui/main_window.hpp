@@ -24,6 +24,7 @@ class QAction;
 namespace psicarve::ui {
 
 class AlarmBanner;
+class FirstTouch;
 class JobPanel;
 class JogPanel;
 class OptionKeeper;
@@ -169,6 +170,7 @@ private:
     session::StatusLine status_line_;
     std::function<CloseChoice()> ask_;
     std::unique_ptr<StopKeys> stop_keys_;
+    std::unique_ptr<FirstTouch> first_touch_;  ///< until settings that came late are taken
     std::unique_ptr<PlaceKeeper> place_keeper_;
     std::unique_ptr<OptionKeeper> option_keeper_;
     bool closes_held_ = false;  ///< the core has taken the hold that was to be closed with

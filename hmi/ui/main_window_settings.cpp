@@ -3,6 +3,7 @@
 #include <QDir>
 
 #include "hmi/phrase/error_phrase.hpp"
+#include "hmi/ui/first_touch.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/page_tabs.hpp"
@@ -11,11 +12,14 @@
 
 namespace psicarve::ui {
 
-/// They came later than the first frame: from a disk that slept, say.
+/// They came later than the first frame: from a disk that slept, say. Nothing moves below a hand by then.
 void MainWindow::take_settings() {
     show_theme();
-    show_kept_place();
-    show_kept_panels();
+    if (!first_touch_ || !first_touch_->has_come()) {
+        show_kept_place();
+        show_kept_panels();
+    }
+    first_touch_.reset();
     if (option_keeper_) option_keeper_->fill_in_late();
     position_->take_zeros();
     look_for_recent();

@@ -120,7 +120,8 @@ void MeshView::set_theme(const Tokens& tokens) {
     canvas_->set_background(tokens.view);
     // A body may be as light, or as dark, as the letters before it.
     const QString ground = QStringLiteral("background: %1; padding: 0 2px").arg(tokens.view.name());
-    for (QLabel* label : {axis_label_, blank_label_}) {
+    for (QLabel* label : findChildren<QLabel*>(Qt::FindDirectChildrenOnly)) {
+        if (label == empty_) continue;  // nothing is behind it
         label->setStyleSheet(ground);
         label->adjustSize();
     }

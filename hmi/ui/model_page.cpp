@@ -43,6 +43,22 @@ constexpr int kLeastFieldsHeight = 120;
 
 }  // namespace
 
+/// The form's fields: beside the view as high as is left, for the page is not to scroll for what scrolls by
+/// itself, and never lower than what stands below them may count on.
+class ModelPage::FieldsRoom : public QScrollArea {
+public:
+    void set_beside(bool is_beside) {
+        if (std::exchange(is_beside_, is_beside) != is_beside) updateGeometry();
+    }
+    QSize sizeHint() const override {
+        const QSize all = QScrollArea::sizeHint();
+        return is_beside_ ? QSize{all.width(), kLeastFieldsHeight} : all;
+    }
+
+private:
+    bool is_beside_ = false;
+};
+
 ModelPage::ModelPage(Bench& bench, Drawing drawing, Open open, QWidget* parent)
     : QWidget(parent), bench_(bench), watch_(kReachable_rgb, kUndercut_rgb), view_(new MeshView{drawing}) {
     setObjectName("model_page");
@@ -61,8 +77,7 @@ void ModelPage::resizeEvent(QResizeEvent* event) {
     // The form stands below the view where both do not fit side by side.
     const bool is_narrow = event->size().width() < kLeastForBoth;
     whole_form_->setMaximumWidth(is_narrow ? QWIDGETSIZE_MAX : kFormWidth);
-    // Beside it as high as is left: the page is not to scroll for fields that scroll by themselves.
-    room_->setSizePolicy(QSizePolicy::Preferred, is_narrow ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    room_->set_beside(!is_narrow);
     sides_->setDirection(is_narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     place_refusal();
     QWidget::resizeEvent(event);
@@ -150,7 +165,7 @@ QWidget* ModelPage::make_form() {
     size_->setWordWrap(true);  // beside the view's buttons it would be wider than a small screen
     rows->addWidget(size_);
     rows->addStretch();
-    room_ = new QScrollArea;
+    room_ = new FieldsRoom;
     room_->setObjectName("model_fields");
     room_->setWidgetResizable(true);
     room_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -13,7 +13,6 @@
 
 class QBoxLayout;
 class QVBoxLayout;
-class QScrollArea;
 class QLabel;
 class QPushButton;
 
@@ -49,6 +48,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    class FieldsRoom;
+
     static constexpr std::uint32_t kReachable_rgb = 0xC2C8CE;
     static constexpr std::uint32_t kUndercut_rgb = 0xFFC21A;
 
@@ -95,7 +96,7 @@ private:
     MeshView* view_;
     QBoxLayout* sides_ = nullptr;
     QWidget* whole_form_ = nullptr;
-    QScrollArea* room_ = nullptr;  ///< of the fields
+    FieldsRoom* room_ = nullptr;
     QVBoxLayout* field_rows_ = nullptr;
     bool is_refusal_seen_ = false;
     PiecePanel* piece_ = nullptr;

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/text_room.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -22,7 +23,7 @@ NoticeBar::NoticeBar(const char* name, Glyph glyph, QWidget* parent)
       glyph_(glyph),
       icon_(new QLabel),
       title_(role_label("title")),
-      text_(new QVBoxLayout),
+      text_(new TextRoom),
       buttons_(new QVBoxLayout) {
     setObjectName(name);
     setProperty("notice", true);
@@ -30,9 +31,10 @@ NoticeBar::NoticeBar(const char* name, Glyph glyph, QWidget* parent)
     title_->setWordWrap(true);
     icon_->setFixedWidth(kNoticeIconWidth);
     icon_->setAlignment(Qt::AlignCenter);
-    text_->setContentsMargins(0, kGap, kGap, kGap);
-    text_->setSpacing(kBetweenLines);
-    text_->addWidget(title_);
+    text_->setObjectName(objectName() + "_room");
+    text_->column().setContentsMargins(0, kGap, kGap, kGap);
+    text_->column().setSpacing(kBetweenLines);
+    text_->column().addWidget(title_);
     buttons_->setContentsMargins(0, kSmallGap, 0, kSmallGap);
     buttons_->setSpacing(kSmallGap);
     buttons_->addStretch();
@@ -41,7 +43,7 @@ NoticeBar::NoticeBar(const char* name, Glyph glyph, QWidget* parent)
     all->setContentsMargins(0, 0, kGap, 0);
     all->setSpacing(0);
     all->addWidget(icon_);
-    all->addLayout(text_, 1);
+    all->addWidget(text_, 1);
     all->addLayout(buttons_);
     setVisible(false);
 }
@@ -50,7 +52,7 @@ QLabel* NoticeBar::add_text(const char* part) {
     auto* label = plain_label();
     label->setObjectName(objectName() + '_' + part);
     label->setWordWrap(true);
-    text_->addWidget(label);
+    text_->column().addWidget(label);
     return label;
 }
 
@@ -72,7 +74,10 @@ void NoticeBar::set_shown(bool is_shown) {
 }
 
 void NoticeBar::show_text(QLabel& label, const QString& text) {
-    if (label.text() != text) label.setText(text);
+    if (label.text() != text) {
+        label.setText(text);
+        if (&label == title_) text_->show_top();  // it is about something else
+    }
     if (label.isHidden() != text.isEmpty()) label.setHidden(text.isEmpty());
 }
 

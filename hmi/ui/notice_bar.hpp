@@ -13,8 +13,11 @@ class QVBoxLayout;
 
 namespace psicarve::ui {
 
+class TextRoom;
+
 /// A yellow bar above the pages: a sign, what is so, in bold, more about it below, and buttons beside that.
-/// Hidden until refresh() of whoever is one shows it.
+/// Where a low window has no room for all words they are scrolled. Hidden until refresh() of whoever is one
+/// shows it.
 class NoticeBar : public QFrame {
 public:
     void set_theme(const Tokens& tokens);
@@ -33,13 +36,13 @@ protected:
     /// Does nothing when it is so already.
     void set_shown(bool is_shown);
     /// In full, whatever it looks like; without any the label goes.
-    static void show_text(QLabel& label, const QString& text);
+    void show_text(QLabel& label, const QString& text);
 
 private:
     Glyph glyph_;
     QLabel* icon_;
     QLabel* title_;
-    QVBoxLayout* text_;
+    TextRoom* text_;
     QVBoxLayout* buttons_;
 };
 

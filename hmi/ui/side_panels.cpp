@@ -94,7 +94,11 @@ void MotionBlock::refresh() {
             ? to_look_at_in(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()))
             : QString{};
     const QString reason = said_beside(buttons_, to_look_at);
-    refused_->refresh_beside(*this, *buttons_.start);
+    // Where there is room for it Start stands in the Job panel, which has one of its own.
+    if (isHidden())
+        refused_->hide();
+    else
+        refused_->refresh_beside(*this, *buttons_.start);
     set_plain_tip(*reason_, reason);
     const QString shown = reason_->fontMetrics().elidedText(reason, Qt::ElideRight, reason_->width());
     if (reason_->text() != shown) reason_->setText(shown);

@@ -125,6 +125,7 @@ QToolTip { background: @field; color: @text; border: 1px solid @edge; padding: 3
 QFrame[notice="true"], #desk_refusal { background: @warn_ground; border: 2px solid @warn; border-radius: 4px; }
 QLabel[trouble="yes"] { color: @warn; font-weight: 700; }
 #alarm_room, #alarm_room > QWidget, #alarm_room > QWidget > QWidget { background: transparent; border: 0; }
+*[text_room="true"], *[text_room="true"] > QWidget, *[text_room="true"] > QWidget > QWidget { background: transparent; border: 0; }
 #banner { background: @alarm_ground; border: 2px solid @alarm; border-radius: 4px; }
 )";
 
@@ -159,6 +160,7 @@ QString style_sheet(const Tokens& tokens, bool is_wide) {
                                                       {"@text2", tokens.text2},
                                                       {"@text", tokens.text},
                                                       {"@on_fill", tokens.on_fill},
+                                                      {"@on_warn", tokens.on_warn},
                                                       {"@panel", tokens.panel},
                                                       {"@field", tokens.field},
                                                       {"@line", tokens.line},

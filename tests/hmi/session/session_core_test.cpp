@@ -9,6 +9,7 @@
 #include <string>
 
 #include "shared/computer/process_identity.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 #include "tests/hmi/session/session_rig.hpp"
 #include "tests/places.hpp"
 
@@ -149,6 +150,41 @@ TEST_F(SessionOnCore, TakesACoreThatHasNotSignedForNone) {
     core->header().core.start_time.store(0);
     core->header().core.pid.store(1);
     EXPECT_TRUE(comes_true([&] { return session_->sight().core_pid == 1U; }));
+}
+
+// The segment of the shop's machine may have been the simulated one's before, and a core takes its time to be
+// seen.
+TEST_F(SessionOnCore, ShowsNoPieceBeforeItKnowsWhoseMachineIsThere) {
+    SavedCheckpoint saved;
+    saved.segment_name = segment_name_;
+    saved.source_name = "owl.stl";
+    for (const bool is_simulator : {false, true}) {
+        saved.is_simulator = is_simulator;
+        saved.checkpoint = checkpoint_at(1, is_simulator ? 7 : 131, 500);
+        ASSERT_TRUE(save_checkpoint(saved, StateNames{file(""), segment_name_, is_simulator}.checkpoint()));
+    }
+    start_core();
+    open_session();
+    SessionOptions options{segment_name_, {}, {}};
+    options.state_folder = file("");
+    session_ = std::make_unique<MachineSession>(options, log_);
+    bool was_others = false;
+    bool was_too_early = false;
+    const auto& sight = session_->sight();
+    ASSERT_TRUE(comes_true([&] {
+        if (!sight.saved_piece) return false;
+        was_too_early = was_too_early || !sight.is_heard();
+        was_others = was_others || !sight.saved_piece->saved.is_simulator;
+        return sight.saved_piece->saved.checkpoint.next_layer == 7;
+    }));
+    EXPECT_FALSE(was_too_early) << "as if there were no core";
+    EXPECT_FALSE(was_others);
+    // Without a core it is the real machine's, until one comes that drives another.
+    core_.reset();
+    ASSERT_TRUE(comes_true([&] { return sight.saved_piece && !sight.saved_piece->saved.is_simulator; }));
+    start_core();
+    ASSERT_TRUE(comes_true([&] { return sight.is_heard() && sight.status; }));
+    EXPECT_FALSE(sight.saved_piece && !sight.saved_piece->saved.is_simulator);
 }
 
 /// As a core's guard does once it has made the port safe.

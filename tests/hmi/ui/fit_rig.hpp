@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "hmi/session/going_on.hpp"
+#include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/keys_dialog.hpp"
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/side_panels.hpp"
@@ -63,9 +64,10 @@ protected:
         window_->resize(size());
         settle();
     }
-    /// What was written anew takes its room with the second look.
+    /// What was written anew takes its room with the second look; where that scrolls, the room round it with
+    /// the fourth.
     void settle() {
-        for (int look = 0; look < 3; ++look) {
+        for (int look = 0; look < 5; ++look) {
             window_->refresh();
             QApplication::processEvents();
         }

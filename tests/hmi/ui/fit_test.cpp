@@ -88,6 +88,37 @@ TEST_P(Fit, WithAPieceThatOnlyADiskKnows) {
     EXPECT_EQ(button("unfinished_open").isVisible(), has_copy);
 }
 
+/// All that there is to be known of such a piece, each in its longest words.
+TEST_P(Fit, WithAPieceOfAnotherCoreAndProfile) {
+    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    SavedCheckpoint saved;
+    saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
+    saved.segment_name = segment_name_;
+    saved.is_simulator = true;
+    saved.profile_hash = 1;
+    saved.source_name = std::string(120, 'x') + ".stl";
+    saved.tool = "ball, 3.175 mm";
+    const StateNames names{file(""), segment_name_, true};
+    ASSERT_TRUE(save_checkpoint(saved, names.checkpoint()));
+    ASSERT_TRUE(save_job_for_everybody(std::vector<std::byte>(64), names.job(1)));
+    std::filesystem::create_directory(file("elsewhere"));
+    start_core({"--state", file("elsewhere")});
+    open_window();
+    window_->resize(size());
+    ASSERT_TRUE(comes_true([&] {
+        return sight().is_heard() && sight().saved_piece && sight().saved_piece->keeper == Keeper::other_core;
+    }));
+    setenv("PSICARVE_STATE", "", 1);
+    expect_fit("saved_piece_of_another_core");
+    const auto needs = session::saved_needs(*sight().saved_piece, sight());
+    EXPECT_EQ(needs.size(), 4U);
+    for (const session::Phrase& need : needs) {
+        if (room_in(size()) != Room::small) break;
+        EXPECT_TRUE(part<QLabel>("unfinished_details").text().contains(words(need)))
+            << words(need).toStdString();
+    }
+}
+
 TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     open_small();
     open_example("figurine.stl");

@@ -110,12 +110,15 @@ TEST_F(OrderRefused, AStartBeforeHomingOffersToHomeAllWhereverStartStands) {
     machine().start(0);
     ASSERT_TRUE(comes("refused_job")) << all_messages().toStdString();
     EXPECT_TRUE(why("refused_job").startsWith("Start: ")) << why("refused_job").toStdString();
+    EXPECT_FALSE(part<QWidget>("refused_motion").isVisible()) << "once is enough";
     take_pictures("start_refused");
     window_->resize(1000, 640);
     ASSERT_TRUE(comes("refused_motion"));
+    EXPECT_FALSE(part<QWidget>("refused_job").isVisible());
     take_pictures("start_refused_small");
     window_->resize(1280, 720);
     ASSERT_TRUE(comes("refused_job"));
+    EXPECT_TRUE(goes("refused_motion"));
     ASSERT_TRUE(click("refused_job_remedy"));
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_TRUE(goes("refused_job"));

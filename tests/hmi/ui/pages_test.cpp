@@ -90,6 +90,21 @@ TEST_F(Pages, TheTabOfMessagesTellsHowManyAreUnread) {
     EXPECT_EQ(unread(), "");
 }
 
+TEST_F(Pages, TheNumberOnATabHasTheInkOfItsGround) {
+    open_window();
+    window_->set_theme(ThemeChoice::dark);
+    const auto badge_after = [&](session::Severity severity) -> const QLabel& {
+        window_->bench().log.add(severity, session::phrase("Not saved: %1", "disk full"));
+        window_->refresh();
+        return part<QLabel>("tab_badge_5");
+    };
+    const auto ink = [](const QLabel& badge) { return badge.palette().color(QPalette::WindowText).name(); };
+    const Tokens& tokens = tokens_of(Theme::dark);
+    EXPECT_FALSE(style_sheet(tokens).contains('@')) << "a colour without a name";
+    EXPECT_EQ(ink(badge_after(session::Severity::warning)), tokens.on_warn.name());
+    EXPECT_EQ(ink(badge_after(session::Severity::alarm)), tokens.on_fill.name());
+}
+
 TEST_F(Pages, WhatWasTypedIntoTheProfileIsNotLostWithTheWindow) {
     open_window();
     show_page("profile_page");

@@ -4,6 +4,10 @@
 
 #include <QLabel>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/preflight_list.hpp"
@@ -72,6 +76,62 @@ TEST_P(SceneLabels, StandOnTheirOwnGround) {
     const QImage picture = view().grab().toImage();
     const QColor ground = picture.pixelColor(axis().geometry().topLeft() + QPoint{1, 1});
     EXPECT_EQ(ground.name(), tokens_of(Theme::light).view.name());
+}
+
+double luminance_of(const QColor& colour) {
+    const auto linear = [](double part) {
+        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+/// As WCAG 2 has it.
+double contrast_of(const QColor& one, const QColor& other) {
+    const auto [low, high] = std::minmax({luminance_of(one), luminance_of(other)});
+    return (high + 0.05) / (low + 0.05);
+}
+
+TEST_P(SceneLabels, CanBeReadWhateverIsBehindThem) {
+    constexpr double kLegible = 4.5;
+    open_window();
+    ASSERT_NO_FATAL_FAILURE(open_model("small.stl"));
+    const auto heads = [&](const Tokens& tokens) {
+        std::vector<MeshView::Head> both;
+        for (const double side : {-1.0, 1.0}) {
+            MeshView::Head head;
+            head.body = view().picture().bodies.front();
+            head.name = side < 0.0 ? "R1" : "R2";
+            head.colour = side < 0.0 ? tokens.r1 : tokens.r2;
+            head.label_place = {side, 0.0, 0.0};
+            head.alarm = MeshView::Head::Alarm{{4.0 * side, 0.0, 0.0}, 0.1, "limit"};
+            both.push_back(std::move(head));
+        }
+        return both;
+    };
+    for (const ThemeChoice theme : {ThemeChoice::light, ThemeChoice::dark}) {
+        window_->set_theme(theme);
+        const Tokens& tokens = tokens_of(theme_of(theme));
+        view().set_heads(heads(tokens));
+        view().set_legend("legend");
+        view().look_from(Side::top);
+        QApplication::processEvents();
+        const QImage picture = view().grab().toImage();
+        int looked_at = 0;
+        for (const QLabel* label : view().findChildren<QLabel*>()) {
+            if (!label->isVisible() || label->text().isEmpty()) continue;
+            const QColor ground = picture.pixelColor(label->geometry().topLeft() + QPoint{1, 1});
+            EXPECT_EQ(ground.name(), tokens.view.name()) << label->text().toStdString();
+            EXPECT_GE(contrast_of(label->palette().color(QPalette::WindowText), ground), kLegible)
+                << label->text().toStdString();
+            ++looked_at;
+        }
+        EXPECT_GE(looked_at, 7);
+        for (const QColor& ink : {tokens.r1, tokens.r2, tokens.alarm, tokens.text2})
+            EXPECT_GE(contrast_of(ink, tokens.view), kLegible) << ink.name().toStdString();
+        view().set_heads({});
+        view().set_legend({});
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SceneLabels,

@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QTest>
 
 #include <atomic>
 #include <filesystem>
@@ -193,6 +194,29 @@ TEST_F(WindowOnASleepingDisk, IsThereAtOnceAndTakesItsPlaceAndThemeLater) {
     EXPECT_TRUE(window_->findChild<QMenu*>("panels")->actions()[1]->isChecked());
     window_.reset();
     EXPECT_EQ(file.values().value("window/page").toString(), "ports");
+}
+
+/// What somebody aims at stays where it is.
+TEST_F(WindowOnASleepingDisk, MovesNothingBelowAHandThatHasClicked) {
+    open_window();
+    window_->resize(1190, 701);
+    SleepingFile file{{{"window/theme", "dark"},
+                       {"window/page", "ports"},
+                       {"window/geometry", window_->saveGeometry()},
+                       {"window/floats_jog", true},
+                       {"options/layers", kLateLayers}}};
+    open_on(file);
+    const QSize size = window_->size();
+    ASSERT_NE(size, QSize(1190, 701));
+    QTest::mouseClick(&part<QWidget>("strip"), Qt::LeftButton);
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(window_->styleSheet(), style_sheet(tokens_of(Theme::dark)));
+    EXPECT_EQ(window_->size(), size);
+    EXPECT_EQ(tabs().currentIndex(), 0);
+    EXPECT_FALSE(window_->findChild<QMenu*>("panels")->actions()[1]->isChecked());
+    close();
+    EXPECT_EQ(file.values().value("window/page").toString(), "model") << "it was looked at";
+    EXPECT_TRUE(file.values().value("window/floats_jog").toBool()) << "the next time";
 }
 
 TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {

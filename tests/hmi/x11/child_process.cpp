@@ -51,12 +51,22 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::vec
     posix_spawn_file_actions_adddup2(&actions, from_child[1], STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, error_path.c_str(),
                                      O_WRONLY | O_CREAT | O_APPEND, 0600);
+    // A shell has what it runs in the background ignore them, and a program that begins so leaves them
+    // ignored.
+    sigset_t heard;
+    sigemptyset(&heard);
+    for (const int number : {SIGINT, SIGHUP, SIGQUIT}) sigaddset(&heard, number);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigdefault(&attributes, &heard);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     auto all_words = words;
     auto all_environment = with_ours(environment);
-    if (posix_spawnp(&pid_, words[0].c_str(), &actions, nullptr, pointers_to(all_words).data(),
+    if (posix_spawnp(&pid_, words[0].c_str(), &actions, &attributes, pointers_to(all_words).data(),
                      pointers_to(all_environment).data()) != 0)
         pid_ = -1;
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     close(to_child[0]);
     close(from_child[1]);
     to_ = to_child[1];

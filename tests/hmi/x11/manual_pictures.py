@@ -140,6 +140,7 @@ def by_hand(place):
     place.xdotool("type", "16")
     place.press("Return")
     place.click("hold_high", how="mousedown")
+    place.reaches("testing")  # a busy computer has let go of it already: then once more, with less beside
     place.picture("operator_wiring")
     place.xdotool("mouseup", "1")
     place.click("arm_wiring")
@@ -187,6 +188,7 @@ def a_replay(place):
     place.open_window(trace)
     place.click(f"tab {CARVING_PAGE}")
     place.click("timeline", where=0.55)
+    place.until("the piece at that time", lambda: "/ 250" in place.ask("text carving_point"))
     place.picture("replay")
 
 

@@ -201,6 +201,10 @@ QString answer(const QString& question) {
     if (words[0] == "modal") {
         return modal != nullptr && modal->isActiveWindow() ? modal->windowTitle() : "none";
     }
+    if (words[0] == "keyboard") {
+        const QWidget* const holder = QApplication::activeWindow();
+        return holder != nullptr && holder->isVisible() ? "here" : "elsewhere";
+    }
     if (words[0] == "picture") return picture(words) ? "saved" : "none";
     if (words[0] == "place") return place_of_window();
     const QWidget* const widget = widget_named(words.value(1));

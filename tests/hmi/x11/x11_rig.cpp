@@ -140,6 +140,8 @@ void X11Rig::resize_window(int width, int height) {
 }
 
 void X11Rig::press(const std::vector<std::string>& keys) {
+    // What goes takes the keyboard with it, until the window manager has given it to whoever stays.
+    EXPECT_TRUE(says("keyboard", "here"));
     std::vector<std::string> words{"key"};
     words.insert(words.end(), keys.begin(), keys.end());
     xdotool(words);

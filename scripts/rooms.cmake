@@ -4,9 +4,11 @@
 # so no arrow runs in a circle. tests/architecture_test.cmake holds the include lines against this table, CMake links by it,
 # and docs/architecture.md says what each room is for.
 set(PSICARVE_ROOMS
-    "shared/base ->"
+    "shared/message ->"
+    "shared/base -> shared/message"
     "shared/computer ->"
-    "shared/machine ->"
+    "shared/machine -> shared/message"
+    "shared/wording -> shared/message shared/base shared/machine"
     "shared/file -> shared/base"
     "shared/trace -> shared/base shared/machine"
     "shared/profile -> shared/base shared/machine shared/file"

@@ -60,8 +60,8 @@ public:
     /// Sends one command and waits for the answer: done, or the core's reason (machine_refused).
     Result<void> send(CommandKind kind, std::optional<Axis> axis = {});
     Result<void> send(const Command& command);
-    /// What the core wants to be known of the last command that it did; mostly nothing.
-    const std::string& command_remark() const noexcept { return command_remark_; }
+    /// What the core wants to be known of the last command that it did; mostly none.
+    const Message& command_remark() const noexcept { return command_remark_; }
     void stop() noexcept { request_stop(segment_); }
     void emergency_stop() noexcept { request_emergency_stop(segment_); }
 
@@ -86,7 +86,7 @@ private:
     Error silent_core() const;
 
     Segment segment_;
-    std::string command_remark_;
+    Message command_remark_{};
 };
 
 }  // namespace psicarve::machine

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/message/message.hpp"
 
 namespace psicarve::session {
 
@@ -24,8 +24,8 @@ struct OrderRefusal {
     Help help = Help::none;
 };
 
-/// What would help, by the core's words.
-OrderRefusal::Help help_for(const std::string& reason);
+/// What would help against it.
+OrderRefusal::Help help_for(const psicarve::Message& why) noexcept;
 
 /// The order that was refused last, for as long as that holds: until something else is asked for, the fields
 /// that it went by are others, or the machine is no longer as it was.

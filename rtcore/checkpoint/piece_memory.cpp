@@ -43,13 +43,11 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
     if (to_keep) file_.keep(*to_keep, job);
 }
 
-std::string PieceMemory::forget(SegmentHeader& header, const RecordName& record) {
-    if (record.is_simulator != is_simulator_)
-        return "forget: that is a record of the other kind of machine; this core keeps none";
+Message PieceMemory::forget(SegmentHeader& header, const RecordName& record) {
+    if (record.is_simulator != is_simulator_) return message_of(MessageId::record_of_other_kind);
     const bool is_known = keeper_.knows(header, record);
-    if (is_known && !file_.is_newest(record))
-        return "forget: its disk has another record of this piece; look again, there (--state FOLDER)";
-    if (!file_.forget(record)) return "forget: the disk does not answer, and too much waits for it";
+    if (is_known && !file_.is_newest(record)) return message_of(MessageId::record_is_another);
+    if (!file_.forget(record)) return message_of(MessageId::forget_disk_silent);
     keeper_.forget(header, record);
     return {};
 }

@@ -9,6 +9,7 @@
 #include "rtcore/checkpoint/checkpoint_keeper.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/job/loaded_job.hpp"
+#include "shared/message/message.hpp"
 #include "shared/segment/layout.hpp"
 
 namespace psicarve::supervisor {
@@ -31,9 +32,9 @@ public:
     /// Every round. Null: there is no job.
     void note(SegmentHeader& header, const cycle::Sample& sample,
               const std::shared_ptr<const LoadedJob>& job);
-    /// This record and no other: gone from the segment, and to go from the disk. Empty: it is done; else why
+    /// This record and no other: gone from the segment, and to go from the disk. None: it is done; else why
     /// it is not, and nothing was forgotten.
-    std::string forget(SegmentHeader& header, const RecordName& record);
+    Message forget(SegmentHeader& header, const RecordName& record);
 
 private:
     std::string take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);

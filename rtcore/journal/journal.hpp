@@ -35,7 +35,7 @@ public:
     /// Every report of the tick. `sample`: no older than it; `job`: the one at hand, or null.
     void note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job);
     /// Before the sender is told: afterwards it may be gone.
-    void note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
+    void note_answer(const ReceivedCommand& received, AnswerKind kind, const Message& why,
                      std::uint64_t tick);
     /// A published job became the one at hand.
     void note_job(const LoadedJob& job, std::uint64_t tick);

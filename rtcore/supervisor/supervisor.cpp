@@ -71,10 +71,9 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
         recording_.put(segment_->header(), token, bytes, std::chrono::steady_clock::now());
     });
-    desk_.set_answer_taker(
-        [this](const ReceivedCommand& received, AnswerKind kind, const std::string& reason) {
-            journal_.note_answer(received, kind, reason, sample_.tick);
-        });
+    desk_.set_answer_taker([this](const ReceivedCommand& received, AnswerKind kind, const Message& message) {
+        journal_.note_answer(received, kind, message, sample_.tick);
+    });
     publish_status();
 }
 
@@ -316,7 +315,7 @@ void Supervisor::watch_guard() {
     if (parts_->guard == nullptr) return;
     // For ever: without it nothing moves any more, whoever resets the alarm.
     const bool is_lost = parts_->guard->is_guard_lost(std::chrono::steady_clock::now());
-    desk_.keep_in_alarm(is_lost ? "the guard process ended; start the core again" : "");
+    desk_.keep_in_alarm(is_lost);
     if (sample_.state == MachineState::alarm) {
         is_guard_lost_told_ = false;
     } else if (is_lost && !is_guard_lost_told_) {

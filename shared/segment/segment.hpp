@@ -143,7 +143,7 @@ Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::millisecond
 /// Sends one command and waits for its answer: done, or the core's reason (machine_refused); no_core when
 /// none serves. `remark`: what is to be known of what was done, mostly nothing.
 Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit,
-                          std::string* remark = nullptr);
+                          Message* remark = nullptr);
 void request_stop(Segment& segment) noexcept;
 void request_emergency_stop(Segment& segment) noexcept;
 
@@ -186,6 +186,6 @@ enum class SenderLook : std::uint8_t { asks, trusts };
 /// died. Nothing in it is checked: kind, axis and values may be anything.
 std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look = SenderLook::asks);
 void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,
-                    const std::string& reason);
+                    const Message& message = {});
 
 }  // namespace psicarve

@@ -24,7 +24,7 @@ using test::ChildProcess;
 /// A process that serves a segment: writes a status again and again, answers every command by `act`.
 class ScriptedCore {
 public:
-    using Act = std::function<std::string(const Command&, CoreStatus&)>;  // the reason of a refusal, or empty
+    using Act = std::function<Message(const Command&, CoreStatus&)>;  // why it is refused, or none
 
     ScriptedCore(const std::string& segment_name, MachineState state, Act act)
         : child_([=](ChildProcess::Signal serving) {
@@ -40,10 +40,10 @@ public:
               bool is_serving = false;
               for (;;) {
                   if (const auto command = take_command(*segment)) {
-                      const std::string reason = act(command->command, status);
+                      const Message why = act(command->command, status);
                       write(*segment, status);
                       answer_command(*segment, *command,
-                                     reason.empty() ? AnswerKind::done : AnswerKind::refused, reason);
+                                     why.is_none() ? AnswerKind::done : AnswerKind::refused, why);
                   }
                   if (segment->header().stop_requests.load() > 0) status.state = MachineState::ready;
                   write(*segment, status);
@@ -80,7 +80,7 @@ protected:
     static ScriptedCore::Act goes_to(MachineState state) {
         return [state](const Command&, CoreStatus& status) {
             status.state = state;
-            return std::string{};
+            return Message{};
         };
     }
 
@@ -104,7 +104,7 @@ TEST_F(MachineLinkTest, AnAnsweredCommandIsFollowedByTheStateItLedTo) {
 
 TEST_F(MachineLinkTest, ARefusalCarriesTheCoresReason) {
     ScriptedCore core{name_, MachineState::off,
-                      [](const Command&, CoreStatus&) { return std::string{"home first"}; }};
+                      [](const Command&, CoreStatus&) { return message_of(MessageId::not_homed); }};
     MachineLink sut = attached();
     const auto sent = sut.send(CommandKind::start);
     ASSERT_FALSE(sent.has_value());
@@ -115,7 +115,7 @@ TEST_F(MachineLinkTest, ARefusalCarriesTheCoresReason) {
 // Written before the answer, the new lease would hide that the holder before lets go.
 TEST_F(MachineLinkTest, AJogTakesTheLeaseOnceItIsAccepted) {
     ScriptedCore core{name_, MachineState::ready, [count = 0](const Command&, CoreStatus&) mutable {
-                          return std::string{count++ == 0 ? "another axis moves" : ""};
+                          return count++ == 0 ? message_of(MessageId::overtaken) : Message{};
                       }};
     MachineLink sut = attached();
     write_jog_lease(sut.segment(), 7, 0);
@@ -133,7 +133,7 @@ TEST_F(MachineLinkTest, AnAlarmEndsAWaitAndIsNamed) {
                           status.state = MachineState::alarm;
                           status.alarm_cause = AlarmCause::limit;
                           status.alarm_axis = static_cast<std::uint8_t>(Axis::r2);
-                          return std::string{};
+                          return Message{};
                       }};
     MachineLink sut = attached();
     ASSERT_TRUE(sut.send(CommandKind::start).has_value());

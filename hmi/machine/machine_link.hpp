@@ -68,7 +68,7 @@ public:
     /// Publishes a job and, when a core serves, waits until it has judged it. Returns the generation.
     Result<std::uint64_t> publish(std::span<const std::byte> job_blob);
     /// What the core wants to be known of the job that it has accepted; mostly nothing.
-    std::string job_remark() const { return psicarve::job_remark(segment_); }
+    std::vector<Message> job_remarks() const { return psicarve::job_remarks(segment_); }
 
     /// After a command's answer: waits for one of `wanted`, as long as it takes. Ends early with an error
     /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused), or

@@ -299,7 +299,9 @@ Phrase error_phrase(const std::string& message) {
 }
 
 Phrase error_phrase(const Error& error) {
-    return error.said.is_none() ? error_phrase(error.message) : message_phrase(error.said);
+    // Of these there is but a text, which may be known.
+    const bool is_text = error.said.is_none() || error.said.id == MessageId::job_unsound;
+    return is_text ? error_phrase(error.message) : message_phrase(error.said);
 }
 
 }  // namespace psicarve::session

@@ -129,8 +129,86 @@ std::vector<Row> of_asking() {
     };
 }
 
+std::vector<Row> of_published_jobs() {
+    const Phrase damaged = phrase("the published job is damaged; publish it again");
+    return {
+        {Id::job_unsound, phrase("the job is unsound: %1")},
+        {Id::job_for_other_machine,
+         phrase(
+             "the job was made for another machine (%1 differ); slice it again with the machine's profile")},
+        {Id::blank_too_wide,
+         phrase("the blank reaches out to %1, but head %2 only to %3: it would stand in the blank before the "
+                "carving begins; take a smaller blank")},
+        {Id::blank_beside,
+         phrase("the job's blank stands %1 beside the profile's: a part of the job is air")},
+        {Id::blank_beside_in_the_way,
+         phrase("the job's blank stands %1 beside the profile's, which is in the heads' way")},
+        {Id::blank_radius_differs,
+         phrase("the job's blank has a radius of %1, the profile's %2: a part of the job is air")},
+        {Id::blank_radius_in_the_way,
+         phrase("the job's blank has a radius of %1, the profile's %2, which is in the heads' way")},
+        {Id::blank_height_differs,
+         phrase("the job's blank has a height of %1, the profile's %2: a part of the job is air")},
+        {Id::blank_height_in_the_way,
+         phrase("the job's blank has a height of %1, the profile's %2, which is in the heads' way")},
+        {Id::begun_with_other_profile, phrase("It was begun with another profile of the machine.")},
+        {Id::segment_and_disk_disagree,
+         phrase("The computer's memory says %1 layers, its disk %2: the lower number is taken.")},
+        {Id::busy_for_a_job, phrase("the machine is busy; try again")},
+        {Id::job_runs, phrase("a job runs (%1); stop it or wait for its end")},
+        {Id::other_job_published, phrase("another job was published meanwhile; publish this one again")},
+        {Id::job_refused_without_reason, phrase("the core refuses it and gives no reason")},
+        {Id::published_without_core, phrase("the job is published, but no core serves segment %1")},
+        {Id::job_not_judged, phrase("the core did not judge the job within %1 ms")},
+        {Id::published_by_nobody, damaged, ""},
+        {Id::published_too_large, damaged, ""},
+        {Id::published_checksum_wrong, damaged, ""},
+    };
+}
+
+std::vector<Row> of_tables() {
+    const Phrase beyond = phrase(
+        "layer %1, point %2: the radius of %3, %4, is beyond the travel, which ends at %5; make the model "
+        "smaller");
+    return {
+        {Id::sweep_of_other_machine,
+         phrase("a layer sweeps %1 pulses of Ψ, half a revolution of this machine is %2; slice the model for "
+                "this machine's profile")},
+        {Id::more_points_than_pulses,
+         phrase("%1 points in a layer of %2 pulses of Ψ; slice with at most %3 points")},
+        {Id::direction_reversed,
+         phrase("the job's direction of axis %1 is the other way round on this machine; slice the model for "
+                "this machine's profile")},
+        {Id::radius_inside_core,
+         phrase("layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, "
+                "or lower core_radius_mm"),
+         "12346"},
+        {Id::radius_below_travel, beyond, "12346"},
+        {Id::radius_above_travel, beyond, "12346"},
+        {Id::tips_too_close,
+         phrase("layer %1, point %2: the tips are %3 apart, closer than head_clearance_mm, %4; raise "
+                "core_radius_mm and slice again"),
+         "1278"},
+        {Id::height_outside_travel,
+         phrase("layer %1: the height of %2 lies outside the travel of Y, %3 to %4; make the model smaller"),
+         "1357"},
+        {Id::ring_not_closed,
+         phrase("layer %1: the height of %2 is not that of the layer below, %3, as in the ring that closes a "
+                "spiral; slice the model again"),
+         "135"},
+        {Id::layer_not_higher,
+         phrase("layer %1: the height of %2 does not lie above the layer below, %3; use fewer layers"),
+         "135"},
+        {Id::spiral_not_joined,
+         phrase("layer %1, point %2: the radius of %3 is not that in which the layer below ends; slice the "
+                "model again"),
+         "123"},
+    };
+}
+
 std::optional<Row> row_of(Id id) {
-    for (const auto& rows : {of_commands(), of_motion(), of_jobs(), of_outputs_and_records(), of_asking()}) {
+    for (const auto& rows : {of_commands(), of_motion(), of_jobs(), of_outputs_and_records(), of_asking(),
+                             of_published_jobs(), of_tables()}) {
         const auto found = std::ranges::find(rows, id, &Row::id);
         if (found != rows.end()) return *found;
     }

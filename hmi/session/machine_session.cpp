@@ -167,7 +167,7 @@ void MachineSession::look_for_checkpoint() {
     sight_.earlier_layer.reset();
     sight_.is_checkpoint_from_disk = false;
     sight_.is_disk_refusing = link_->segment().core_keeping().how == CoreKeeping::How::refused;
-    sight_.job_remark = sight_.is_heard() ? link_->job_remark() : std::string{};
+    sight_.job_remarks = sight_.is_heard() ? link_->job_remarks() : std::vector<psicarve::Message>{};
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)

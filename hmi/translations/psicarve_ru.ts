@@ -364,6 +364,10 @@
             <translation>точек в слое %1, а не %2: в половине оборота оси Ψ больше импульсов нет</translation>
         </message>
         <message>
+            <source>%1 points in a layer of %2 pulses of Ψ; slice with at most %3 points</source>
+            <translation>%1 точек в слое из %2 импульсов Ψ; нарежьте не более чем с %3 точками</translation>
+        </message>
+        <message>
             <source>%1 pulses</source>
             <translation>импульсов: %1</translation>
         </message>
@@ -4943,12 +4947,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>facet без endfacet</translation>
         </message>
         <message>
+            <source>a job runs (%1); stop it or wait for its end</source>
+            <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>слою нужны высота и не менее двух радиусов</translation>
         </message>
         <message>
             <source>a layer of one point goes nowhere; it needs two</source>
             <translation>слой из одной точки никуда не ведёт; нужны две</translation>
+        </message>
+        <message>
+            <source>a layer sweeps %1 pulses of Ψ, half a revolution of this machine is %2; slice the model for this machine's profile</source>
+            <translation>слой занимает %1 импульсов Ψ, а пол-оборота этого станка — %2; нарежьте модель для профиля этого станка</translation>
         </message>
         <message>
             <source>a number</source>
@@ -5141,6 +5153,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>another job was carved last</source>
             <translation>в последний раз вырезалось другое задание</translation>
+        </message>
+        <message>
+            <source>another job was published meanwhile; publish this one again</source>
+            <translation>тем временем опубликовано другое задание; опубликуйте это снова</translation>
         </message>
         <message>
             <source>another process has the pins recorded, or this core cannot record them</source>
@@ -5807,8 +5823,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой %1, точка %2: высота не равна высоте слоя и не лежит на подъёме спирали</translation>
         </message>
         <message>
+            <source>layer %1, point %2: the radius of %3 is not that in which the layer below ends; slice the model again</source>
+            <translation>слой %1, точка %2: радиус %3 не тот, на котором кончается слой ниже; нарежьте модель снова</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the radius of %3, %4, is beyond the travel, which ends at %5; make the model smaller</source>
+            <translation>слой %1, точка %2: радиус %3, %4, за пределами хода, который кончается на %5; уменьшите модель</translation>
+        </message>
+        <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
             <translation>слой %1, точка %2: радиус %3, %4, внутри радиуса сердцевины %5; режьте мельче или уменьшите core_radius_mm</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the tips are %3 apart, closer than head_clearance_mm, %4; raise core_radius_mm and slice again</source>
+            <translation>слой %1, точка %2: между остриями %3, меньше head_clearance_mm, %4; увеличьте core_radius_mm и нарежьте снова</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 does not lie above the layer below, %3; use fewer layers</source>
+            <translation>слой %1: высота %2 не выше слоя ниже, %3; возьмите меньше слоёв</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 is not that of the layer below, %3, as in the ring that closes a spiral; slice the model again</source>
+            <translation>слой %1: высота %2 не равна высоте слоя ниже, %3, как в кольце, замыкающем спираль; нарежьте модель снова</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 lies outside the travel of Y, %3 to %4; make the model smaller</source>
+            <translation>слой %1: высота %2 вне хода Y, от %3 до %4; уменьшите модель</translation>
         </message>
         <message>
             <source>layers</source>
@@ -6723,6 +6763,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ядро не ответило за %1 ms</translation>
         </message>
         <message>
+            <source>the core did not judge the job within %1 ms</source>
+            <translation>ядро не проверило задание за %1 мс</translation>
+        </message>
+        <message>
             <source>the core does not know this command; is it another version?</source>
             <translation>ядро не знает этой команды; не другая ли это версия?</translation>
         </message>
@@ -6823,6 +6867,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задание вырезано до конца</translation>
         </message>
         <message>
+            <source>the job is published, but no core serves segment %1</source>
+            <translation>задание опубликовано, но сегмент %1 не обслуживает ни одно ядро</translation>
+        </message>
+        <message>
+            <source>the job is unsound: %1</source>
+            <translation>задание неисправно: %1</translation>
+        </message>
+        <message>
             <source>the job that it carries is damaged</source>
             <translation>записанное в нём задание повреждено</translation>
         </message>
@@ -6833,6 +6885,34 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the job's</source>
             <translation>из задания</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2, which is in the heads' way</source>
+            <translation>высота заготовки задания %1, в профиле %2: она окажется на пути головок</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2: a part of the job is air</source>
+            <translation>высота заготовки задания %1, в профиле %2: часть задания пройдёт по воздуху</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2, which is in the heads' way</source>
+            <translation>радиус заготовки задания %1, в профиле %2: она окажется на пути головок</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2: a part of the job is air</source>
+            <translation>радиус заготовки задания %1, в профиле %2: часть задания пройдёт по воздуху</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's, which is in the heads' way</source>
+            <translation>заготовка задания стоит в стороне от указанной в профиле на %1, и та окажется на пути головок</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's: a part of the job is air</source>
+            <translation>заготовка задания стоит в стороне от указанной в профиле на %1: часть задания пройдёт по воздуху</translation>
+        </message>
+        <message>
+            <source>the job's direction of axis %1 is the other way round on this machine; slice the model for this machine's profile</source>
+            <translation>направление оси %1 в задании на этом станке обратное; нарежьте модель для профиля этого станка</translation>
         </message>
         <message>
             <source>the kernel has one, but /dev/parport0 is not there</source>
@@ -6867,6 +6947,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>станок: %1; найдите ноль, подведите %2 к штифту и дайте остановиться</translation>
         </message>
         <message>
+            <source>the machine is busy; try again</source>
+            <translation>станок занят; повторите</translation>
+        </message>
+        <message>
             <source>the machine is not at rest; stop first</source>
             <translation>станок не стоит; сначала остановите его</translation>
         </message>
@@ -6893,6 +6977,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
+        </message>
+        <message>
+            <source>the published job is damaged; publish it again</source>
+            <translation>опубликованное задание повреждено; опубликуйте его снова</translation>
         </message>
         <message>
             <source>the same job</source>

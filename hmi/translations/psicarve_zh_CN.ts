@@ -364,6 +364,10 @@
             <translation>每层 %1 点而不是 %2 点：Ψ 轴半圈没有更多脉冲</translation>
         </message>
         <message>
+            <source>%1 points in a layer of %2 pulses of Ψ; slice with at most %3 points</source>
+            <translation>一层有 %1 个点，而 Ψ 只有 %2 个脉冲；请最多用 %3 个点切片</translation>
+        </message>
+        <message>
             <source>%1 pulses</source>
             <translation>%1 脉冲</translation>
         </message>
@@ -4936,12 +4940,20 @@ N、Shift+N  下一条、上一条记录
             <translation>有 facet 缺少 endfacet</translation>
         </message>
         <message>
+            <source>a job runs (%1); stop it or wait for its end</source>
+            <translation>作业正在运行（%1）；请停止或等待其结束</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>每层需要高度和至少两个半径</translation>
         </message>
         <message>
             <source>a layer of one point goes nowhere; it needs two</source>
             <translation>只有一个点的层没有走向；至少需要两个点</translation>
+        </message>
+        <message>
+            <source>a layer sweeps %1 pulses of Ψ, half a revolution of this machine is %2; slice the model for this machine's profile</source>
+            <translation>一层扫过 Ψ 的 %1 个脉冲，本机床半圈为 %2 个；请按本机床的配置切片</translation>
         </message>
         <message>
             <source>a number</source>
@@ -5134,6 +5146,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>another job was carved last</source>
             <translation>上次雕刻的是另一个作业</translation>
+        </message>
+        <message>
+            <source>another job was published meanwhile; publish this one again</source>
+            <translation>其间发布了另一个作业；请重新发布此作业</translation>
         </message>
         <message>
             <source>another process has the pins recorded, or this core cannot record them</source>
@@ -5800,8 +5816,32 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层第 %2 点：高度既不是该层的高度，也不在螺旋的上升路线上</translation>
         </message>
         <message>
+            <source>layer %1, point %2: the radius of %3 is not that in which the layer below ends; slice the model again</source>
+            <translation>第 %1 层，第 %2 点：%3 的半径与下一层末端的半径不同；请重新切片</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the radius of %3, %4, is beyond the travel, which ends at %5; make the model smaller</source>
+            <translation>第 %1 层，第 %2 点：%3 的半径 %4 超出行程，行程止于 %5；请缩小模型</translation>
+        </message>
+        <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
             <translation>第 %1 层第 %2 点：%3 的半径 %4 在芯半径 %5 之内；请雕浅一些，或减小 core_radius_mm</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the tips are %3 apart, closer than head_clearance_mm, %4; raise core_radius_mm and slice again</source>
+            <translation>第 %1 层，第 %2 点：刀尖相距 %3，小于 head_clearance_mm（%4）；请增大 core_radius_mm 并重新切片</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 does not lie above the layer below, %3; use fewer layers</source>
+            <translation>第 %1 层：高度 %2 不高于下一层的 %3；请减少层数</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 is not that of the layer below, %3, as in the ring that closes a spiral; slice the model again</source>
+            <translation>第 %1 层：高度 %2 与下一层的 %3 不同，而闭合螺旋的环应相同；请重新切片</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 lies outside the travel of Y, %3 to %4; make the model smaller</source>
+            <translation>第 %1 层：高度 %2 超出 Y 的行程 %3 到 %4；请缩小模型</translation>
         </message>
         <message>
             <source>layers</source>
@@ -6716,6 +6756,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内核在 %1 ms 内没有回答</translation>
         </message>
         <message>
+            <source>the core did not judge the job within %1 ms</source>
+            <translation>内核未在 %1 ms 内检查完作业</translation>
+        </message>
+        <message>
             <source>the core does not know this command; is it another version?</source>
             <translation>内核不认识此命令；是否版本不同？</translation>
         </message>
@@ -6816,6 +6860,14 @@ N、Shift+N  下一条、上一条记录
             <translation>作业已雕刻到最后</translation>
         </message>
         <message>
+            <source>the job is published, but no core serves segment %1</source>
+            <translation>作业已发布，但没有内核服务于共享段 %1</translation>
+        </message>
+        <message>
+            <source>the job is unsound: %1</source>
+            <translation>作业有误：%1</translation>
+        </message>
+        <message>
             <source>the job that it carries is damaged</source>
             <translation>其中所带的作业已损坏</translation>
         </message>
@@ -6826,6 +6878,34 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the job's</source>
             <translation>作业自带</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2, which is in the heads' way</source>
+            <translation>作业的毛坯高度为 %1，配置中为 %2，会挡住刀头</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2: a part of the job is air</source>
+            <translation>作业的毛坯高度为 %1，配置中为 %2：作业的一部分是空切</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2, which is in the heads' way</source>
+            <translation>作业的毛坯半径为 %1，配置中为 %2，会挡住刀头</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2: a part of the job is air</source>
+            <translation>作业的毛坯半径为 %1，配置中为 %2：作业的一部分是空切</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's, which is in the heads' way</source>
+            <translation>作业的毛坯与配置中的毛坯错开 %1，后者会挡住刀头</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's: a part of the job is air</source>
+            <translation>作业的毛坯与配置中的毛坯错开 %1：作业的一部分是空切</translation>
+        </message>
+        <message>
+            <source>the job's direction of axis %1 is the other way round on this machine; slice the model for this machine's profile</source>
+            <translation>作业中 %1 轴的方向与本机床相反；请按本机床的配置切片</translation>
         </message>
         <message>
             <source>the kernel has one, but /dev/parport0 is not there</source>
@@ -6860,6 +6940,10 @@ N、Shift+N  下一条、上一条记录
             <translation>机床状态：%1；请回零，将 %2 点动到销处并停稳</translation>
         </message>
         <message>
+            <source>the machine is busy; try again</source>
+            <translation>机床正忙；请重试</translation>
+        </message>
+        <message>
             <source>the machine is not at rest; stop first</source>
             <translation>机床未静止；请先停止</translation>
         </message>
@@ -6886,6 +6970,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>配置长 %1 字节；最多 %2 字节</translation>
+        </message>
+        <message>
+            <source>the published job is damaged; publish it again</source>
+            <translation>已发布的作业已损坏；请重新发布</translation>
         </message>
         <message>
             <source>the same job</source>

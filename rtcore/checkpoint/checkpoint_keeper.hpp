@@ -47,7 +47,7 @@ public:
     /// What came of what a disk has of the job at hand.
     struct TakenOver {
         std::optional<Checkpoint> to_keep;  ///< the disk says more than the segment: this belongs there
-        std::string remark;                 ///< the two disagree; else empty
+        Message remark{};                   ///< the two disagree; else none
     };
     /// Into a segment that never had a record, never into one that is damaged. Where the segment knows of
     /// this job itself and the two disagree, it is the lower layer.

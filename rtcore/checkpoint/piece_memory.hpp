@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "rtcore/checkpoint/checkpoint_file.hpp"
 #include "rtcore/checkpoint/checkpoint_keeper.hpp"
@@ -28,7 +29,7 @@ public:
     /// The segment was replaced: the new one holds no checkpoint yet.
     void write_anew(SegmentHeader& header) const noexcept { keeper_.write_anew(header); }
     /// It is the job at hand from here on. What is to be known of it, where there is something.
-    std::string take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
+    std::vector<Message> take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
     /// Every round. Null: there is no job.
     void note(SegmentHeader& header, const cycle::Sample& sample,
               const std::shared_ptr<const LoadedJob>& job);
@@ -37,7 +38,7 @@ public:
     Message forget(SegmentHeader& header, const RecordName& record);
 
 private:
-    std::string take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
+    std::vector<Message> take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
 
     std::uint64_t profile_hash_;
     bool is_simulator_;

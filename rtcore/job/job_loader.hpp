@@ -27,7 +27,7 @@ public:
         std::uint64_t generation = 0;
         bool is_published = false;  ///< false: nobody published that generation, its word is damaged
         std::shared_ptr<const LoadedJob> job;
-        std::string refusal;
+        Message refusal{};  ///< where there is no job
     };
     /// Requires that it is not busy. `generation`: of the published job as it was seen, should it be damaged.
     void begin(std::shared_ptr<Segment> segment, std::uint64_t known_generation, std::uint64_t generation);

@@ -19,7 +19,7 @@ struct LoadedJob {
     std::uint64_t checksum;  ///< XXH3 over the blob
     std::vector<std::byte> blob;
     JobView view;
-    std::string remark;  ///< what is to be known of it before it is carved; mostly nothing
+    Message remark;  ///< what is to be known of it before it is carved; mostly none
 };
 
 /// Checks a blob against everything: its own structure, the machine's limits, and the profile it was made

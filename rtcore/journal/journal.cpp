@@ -137,9 +137,9 @@ void Journal::note_job(const LoadedJob& job, std::uint64_t tick) {
     if (may_put(JournalKind::job)) put_always(JournalKind::job, "loaded", tick, facts_of_job(job));
 }
 
-void Journal::note_refused_job(const std::string& reason, std::uint64_t tick) {
+void Journal::note_refused_job(const Message& why, std::uint64_t tick) {
     JournalFacts facts;
-    facts.add("reason", reason);
+    facts.add("reason", in_words(why)).add("message", name_of(why.id));
     put(JournalKind::job, "refused", tick, std::move(facts));
 }
 

@@ -39,7 +39,7 @@ public:
                      std::uint64_t tick);
     /// A published job became the one at hand.
     void note_job(const LoadedJob& job, std::uint64_t tick);
-    void note_refused_job(const std::string& reason, std::uint64_t tick);
+    void note_refused_job(const Message& why, std::uint64_t tick);
     /// Every round.
     void note_round(const cycle::Sample& sample);
     /// The last thing: nothing is written behind it. Waits until all is, but no longer than a SideThread does

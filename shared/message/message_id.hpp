@@ -93,6 +93,41 @@ enum class MessageId : std::uint16_t {
     alarm_of_axis = 127,
     stopped_by_somebody = 128,
     still_in_state = 129,
+
+    // What the core, and a publisher, say of a published job.
+    job_unsound = 140,
+    job_for_other_machine = 141,
+    blank_too_wide = 142,
+    blank_beside = 143,
+    blank_beside_in_the_way = 144,
+    blank_radius_differs = 145,
+    blank_radius_in_the_way = 146,
+    blank_height_differs = 147,
+    blank_height_in_the_way = 148,
+    begun_with_other_profile = 149,
+    segment_and_disk_disagree = 150,
+    busy_for_a_job = 151,
+    job_runs = 152,
+    other_job_published = 153,
+    job_refused_without_reason = 154,
+    published_without_core = 155,
+    job_not_judged = 156,
+    published_by_nobody = 157,
+    published_too_large = 158,
+    published_checksum_wrong = 159,
+
+    // What of a job this machine cannot carve.
+    sweep_of_other_machine = 170,
+    more_points_than_pulses = 171,
+    direction_reversed = 172,
+    radius_inside_core = 173,
+    radius_below_travel = 174,
+    radius_above_travel = 175,
+    tips_too_close = 176,
+    height_outside_travel = 177,
+    ring_not_closed = 178,
+    layer_not_higher = 179,
+    spiral_not_joined = 180,
 };
 
 }  // namespace psicarve

@@ -100,7 +100,7 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(Message, arguments),
                                offsetof(Message, text),
                                offsetof(JobVerdict, accepted),
-                               offsetof(JobVerdict, reason),
+                               offsetof(JobVerdict, said),
                                offsetof(CommandSlot, sender_start_time),
                                offsetof(CommandSlot, sequence),
                                offsetof(CommandSlot, stops_seen),

@@ -161,9 +161,10 @@ bool is_published(const Segment& segment, std::uint64_t generation) noexcept;
 /// Of the published job's blob, as its publisher said; nothing: there is none.
 std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept;
 /// What the core wants to be known of the published job that it has accepted; mostly nothing.
-std::string job_remark(const Segment& segment);
-/// `reason`: why it is refused, or what of an accepted one is to be known.
-void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
+std::vector<Message> job_remarks(const Segment& segment);
+/// `said`: why it is refused, or what of an accepted one is to be known; at most kVerdictMessages.
+void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted,
+                     const std::vector<Message>& said = {});
 
 /// The segment's words of stop and emergency stop, as somebody read them.
 struct StopsSeen {

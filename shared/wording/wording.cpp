@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shared/wording/argument_words.hpp"
+#include "shared/wording/wording_tables.hpp"
 
 namespace psicarve {
 namespace {
@@ -27,10 +28,19 @@ std::size_t Wording::argument_count() const noexcept {
     return count;
 }
 
+std::vector<Wording> wordings() {
+    std::vector<Wording> all;
+    for (const auto& part : {command_wordings(), job_wordings()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 const Wording* wording_of(MessageId id) noexcept {
-    const auto all = wordings();
-    const auto found = std::ranges::lower_bound(all, id, {}, &Wording::id);
-    return found != all.end() && found->id == id ? &*found : nullptr;
+    for (const auto& part : {command_wordings(), job_wordings()}) {
+        const auto found = std::ranges::lower_bound(part, id, {}, &Wording::id);
+        if (found != part.end() && found->id == id) return &*found;
+    }
+    return nullptr;
 }
 
 std::string_view name_of(MessageId id) noexcept {
@@ -59,13 +69,23 @@ std::vector<std::string> argument_words(const Message& message) {
 
 std::string in_words(const Message& message) {
     if (message.is_none()) return {};
+    std::string words;
+    if (is_sound(message)) {
+        const Wording& row = *wording_of(message.id);
+        const std::vector<std::string> arguments = argument_words(message);
+        const std::string remedy = filled_in(row.remedy, arguments);
+        words = filled_in(row.sentence, arguments) + (remedy.empty() ? "" : "; ") + remedy;
+    }
+    // An empty text alone is as little as damage.
+    if (!words.empty()) return words;
     const auto number = static_cast<unsigned>(message.id);
-    if (!is_sound(message))
-        return "message " + std::to_string(number) + " is not known to this version, or damaged";
-    const Wording& row = *wording_of(message.id);
-    const std::vector<std::string> arguments = argument_words(message);
-    const std::string remedy = filled_in(row.remedy, arguments);
-    return filled_in(row.sentence, arguments) + (remedy.empty() ? "" : "; ") + remedy;
+    return "message " + std::to_string(number) + " is not known to this version, or damaged";
+}
+
+std::string in_words(const std::vector<Message>& messages) {
+    std::string words;
+    for (const Message& one : messages) words += (words.empty() ? "" : "; ") + in_words(one);
+    return words;
 }
 
 Error error_from(ErrorCode code, const Message& message) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +30,7 @@ struct Wording {
 };
 
 /// By their numbers.
-std::span<const Wording> wordings() noexcept;
+std::vector<Wording> wordings();
 /// Null: of another version.
 const Wording* wording_of(MessageId id) noexcept;
 /// "not_homed"; "unknown" for another version's.
@@ -44,6 +43,9 @@ std::vector<std::string> argument_words(const Message& message);
 /// The sentence and its remedy. Empty: there is no message. What is not sound gets words that say so: the
 /// message may be of another process, and anything.
 std::string in_words(const Message& message);
+
+/// Several, with semicolons.
+std::string in_words(const std::vector<Message>& messages);
 
 /// The message as an error, with its words.
 Error error_from(ErrorCode code, const Message& message);

@@ -140,6 +140,7 @@ TEST(Wording, SaysOfADamagedMessageThatItIs) {
 
 TEST(Wording, LivesWithAnyBytes) {
     std::mt19937_64 random{20261127};
+    const std::vector<Wording> all = wordings();
     int sound = 0;
     for (int round = 0; round < 40'000; ++round) {
         std::array<unsigned char, sizeof(Message)> bytes{};
@@ -147,7 +148,7 @@ TEST(Wording, LivesWithAnyBytes) {
         Message sut{};
         std::memcpy(&sut, bytes.data(), sizeof sut);
         // As random as these are, hardly any would come past the identifier.
-        const auto& row = wordings()[random() % wordings().size()];
+        const Wording& row = all[random() % all.size()];
         if (round % 4 != 0) sut.id = row.id;
         if (round % 4 == 2) sut.argument_count = static_cast<std::uint16_t>(row.argument_count());
         if (round % 4 == 3) {

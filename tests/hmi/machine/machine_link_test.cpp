@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "hmi/machine/jog.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
+#include "shared/base/message_text.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "tests/two_process/child_process.hpp"
 
@@ -110,6 +112,19 @@ TEST_F(MachineLinkTest, ARefusalCarriesTheCoresReason) {
     ASSERT_FALSE(sent.has_value());
     EXPECT_EQ(sent.error().code, ErrorCode::machine_refused);
     EXPECT_NE(sent.error().message.find("home first"), std::string::npos);
+    EXPECT_EQ(sent.error().said.id, MessageId::not_homed);
+}
+
+TEST_F(MachineLinkTest, AMessageWithALongTextArrivesWholeFromTheOtherProcess) {
+    const std::string text = std::string(94, 'n') + "_Ψ-end";
+    const Message said = with_text(message_of(MessageId::core_silent, count_argument(4711)), text);
+    ScriptedCore core{name_, MachineState::off, [said](const Command&, CoreStatus&) { return said; }};
+    MachineLink sut = attached();
+    const auto sent = sut.send(CommandKind::start);
+    ASSERT_FALSE(sent.has_value());
+    EXPECT_GT(text.size(), 100U);
+    EXPECT_EQ(std::memcmp(&sent.error().said, &said, sizeof said), 0);
+    EXPECT_NE(sent.error().message.find(text), std::string::npos) << sent.error().message;
 }
 
 // Written before the answer, the new lease would hide that the holder before lets go.

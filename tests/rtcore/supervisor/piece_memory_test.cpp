@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
@@ -40,7 +41,7 @@ protected:
     std::string remark_of_new_core(bool is_simulator = false) {
         PieceMemory sut{place(is_simulator)};
         sut.enter(*header_);
-        return sut.take_job(*header_, vase_);
+        return in_words(sut.take_job(*header_, vase_));
     }
     Checkpoint in_segment() const { return read_record(header_->checkpoint).value_or(Checkpoint{}); }
     std::uint32_t layer_on_disk() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
-#include "shared/wording/wording.hpp"
+#include "shared/wording/wording_tables.hpp"
 
 namespace psicarve {
 namespace {
@@ -13,7 +13,7 @@ constexpr ArgumentName kCommand{K::command, "command"};
 constexpr ArgumentName kAxis{K::axis, "axis"};
 constexpr ArgumentName kSegment{K::text, "segment"};
 
-constexpr std::array kWordings{
+constexpr std::array kCommandWordings{
     Wording{Id::refused, "refused", "refused", "", {}},
     Wording{Id::no_reason, "no_reason", "the core refused it without a reason", "", {}},
     Wording{Id::unknown_command, "unknown_command", "unknown command", "is the sender another version?", {}},
@@ -247,8 +247,8 @@ constexpr std::array kWordings{
 
 }  // namespace
 
-std::span<const Wording> wordings() noexcept {
-    return kWordings;
+std::span<const Wording> command_wordings() noexcept {
+    return kCommandWordings;
 }
 
 }  // namespace psicarve

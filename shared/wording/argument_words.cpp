@@ -13,7 +13,7 @@ namespace psicarve {
 namespace {
 
 bool is_number(double value) noexcept {
-    constexpr double kMost = 1e15;  // nothing of a machine comes near
+    constexpr double kMost = 1e39;  // as decimals() can write
     return std::isfinite(value) && std::fabs(value) < kMost;
 }
 

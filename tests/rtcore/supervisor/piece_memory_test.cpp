@@ -239,7 +239,7 @@ TEST_F(PieceMemoryTest, SaysThatThePieceWasBegunWithAnotherProfile) {
     CheckpointPlace other = place();
     other.profile_hash = kPieceProfile + 1;
     PieceMemory sut{other};
-    EXPECT_THAT(sut.take_job(*header_, vase_), HasSubstr("begun with another profile"));
+    EXPECT_THAT(in_words(sut.take_job(*header_, vase_)), HasSubstr("begun with another profile"));
 }
 
 TEST_F(PieceMemoryTest, ForgetsInSegmentAndOnDisk) {

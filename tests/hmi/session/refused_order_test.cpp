@@ -15,6 +15,7 @@ namespace {
 
 using S = MachineState;
 using OrderHelp = OrderRefusal::Help;
+using test::machine_in;
 
 constexpr std::uint8_t kR1Homed = 1;
 

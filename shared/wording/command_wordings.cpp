@@ -226,8 +226,7 @@ constexpr std::array kCommandWordings{
             "all %1 command slots are in use: wait for the others' commands",
             "",
             {{K::count, "slots"}}},
-    Wording{
-        Id::alarm, "alarm", "alarm: %1", "%2", {{K::alarm_cause, "cause"}, {K::alarm_remedy, "remedy"}}},
+    Wording{Id::alarm, "alarm", "alarm: %1", "%2", {{K::alarm_cause, "cause"}, {K::alarm_remedy, "remedy"}}},
     Wording{Id::alarm_of_axis,
             "alarm_of_axis",
             "alarm: %1 of %2",

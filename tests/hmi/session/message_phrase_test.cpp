@@ -55,7 +55,7 @@ TEST(MessagePhrase, LeavesAnErrorWithoutAMessageAsItIs) {
 
 TEST(MessagePhrase, HasWordsForEveryIdentifier) {
     for (const Wording& row : wordings()) {
-        const psicarve::Message sample = test::sample_message(row);
+        const psicarve::Message sample = psicarve::test::sample_message(row);
         ASSERT_TRUE(is_sound(sample)) << row.name;
         const Phrase shown = message_phrase(sample);
         EXPECT_STRNE(shown.english, "%1") << row.name;
@@ -98,7 +98,7 @@ TEST(MessagePhrase, HasTheSameArgumentsInEveryLanguage) {
     for (const std::string language : {"zh_CN", "ru"}) {
         const std::string words = catalogue(language);
         for (const Wording& row : wordings()) {
-            const Phrase shown = message_phrase(test::sample_message(row));
+            const Phrase shown = message_phrase(psicarve::test::sample_message(row));
             const std::string own = translated(words, shown.english);
             EXPECT_FALSE(own.empty()) << language << ": " << row.name;
             EXPECT_EQ(marks_of(own), marks_of(shown.english)) << language << ": " << own;

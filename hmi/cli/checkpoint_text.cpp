@@ -2,10 +2,9 @@
 #include "hmi/cli/checkpoint_text.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-#include <string_view>
+
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 
@@ -34,24 +33,14 @@ nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoi
     return object;
 }
 
-std::string current_remark(const std::string& remark, const std::optional<Checkpoint>& checkpoint) {
-    constexpr std::string_view kEnd = "the lower one is taken";
-    const std::size_t at = remark.find("segment: layer ");
-    unsigned in_segment = 0;
-    unsigned on_disk = 0;
-    if (at == std::string::npos || !checkpoint ||
-        std::sscanf(remark.c_str() + at, "segment: layer %u, disk: %u;", &in_segment, &on_disk) != 2 ||
-        checkpoint->next_layer == std::min(in_segment, on_disk))
-        return remark;
-    const std::size_t end = remark.find(kEnd, at);
-    if (end == std::string::npos) return remark;
-    std::string before = remark.substr(0, at);
-    std::string after = remark.substr(end + kEnd.size());
-    constexpr std::string_view kBetween = "; ";
-    if (before.empty() && after.starts_with(kBetween)) return after.substr(kBetween.size());
-    if (after.empty() && before.ends_with(kBetween)) before.resize(before.size() - kBetween.size());
-    if (before.ends_with(kBetween) && after.starts_with(kBetween)) after.erase(0, kBetween.size());
-    return before + after;
+std::vector<Message> current_remarks(std::vector<Message> remarks,
+                                     const std::optional<Checkpoint>& checkpoint) {
+    std::erase_if(remarks, [&](const Message& remark) {
+        const bool is_of_both = remark.id == MessageId::segment_and_disk_disagree && is_sound(remark);
+        return is_of_both && checkpoint &&
+               checkpoint->next_layer != std::min(remark.arguments[0].bits, remark.arguments[1].bits);
+    });
+    return remarks;
 }
 
 }  // namespace psicarve::cli

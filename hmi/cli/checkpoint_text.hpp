@@ -4,7 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "shared/message/message.hpp"
 #include "shared/segment/checkpoint.hpp"
 
 namespace psicarve::cli {
@@ -15,8 +17,9 @@ std::string checkpoint_text(const std::optional<Checkpoint>& checkpoint, bool is
 /// came further.
 nlohmann::ordered_json checkpoint_json(const std::optional<Checkpoint>& checkpoint, bool is_of_job);
 
-/// The core's remark on the published job; leaves out the part about a difference between memory and disk
-/// once the piece is carved past the lower of the two layers.
-std::string current_remark(const std::string& remark, const std::optional<Checkpoint>& checkpoint);
+/// The core's remarks on the published job, without what it says of memory and disk once the piece is carved
+/// past the lower of the two layers.
+std::vector<Message> current_remarks(std::vector<Message> remarks,
+                                     const std::optional<Checkpoint>& checkpoint);
 
 }  // namespace psicarve::cli

@@ -33,7 +33,8 @@ void print_line(const char* prefix, const std::string& text) {
 int report_error(const Error& error, bool as_json) {
     print_error(error);
     if (as_json)
-        std::printf("{\"error\":%s}\n", error_json(Error{error.code, in_words(error.message)}).c_str());
+        std::printf("{\"error\":%s}\n",
+                    error_json(Error{error.code, in_words(error.message), error.said}).c_str());
     return exit_code_of(error.code);
 }
 

@@ -9,6 +9,7 @@
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/number_argument.hpp"
 #include "hmi/cli/operator_break.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -68,7 +69,8 @@ Result<int> jog(const CommonOptions& common, const JogOptions& options) {
     OperatorBreak operator_break;
     auto held = begin_jog(*link, options, distance, *lease);
     if (!held) return held.error();
-    if (const std::string& remark = link->command_remark(); !remark.empty()) print_warning("jog: " + remark);
+    if (const Message& remark = link->command_remark(); !remark.is_none())
+        print_warning("jog: " + in_words(remark));
     const auto watch = [&](const CoreStatus&) -> Result<void> {
         if (operator_break.was_asked()) {
             held->release();

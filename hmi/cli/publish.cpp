@@ -7,6 +7,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/machine/machine_link.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -34,7 +35,7 @@ Result<int> publish(const CommonOptions& common, const PublishOptions& options) 
     const auto generation = link->publish(job->blob);
     if (!generation) return generation.error();
     const bool has_core = link->core_pid().has_value();
-    if (const std::string remark = link->job_remark(); !remark.empty()) print_warning(remark);
+    if (const std::string remark = in_words(link->job_remarks()); !remark.empty()) print_warning(remark);
     if (!has_core)
         print_note("no core serves segment " + common.segment + " yet; the next one will judge the job");
     if (common.json) {

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "hmi/cli/exit_code.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 
 void RunWatch::tell_remark() {
-    const std::string remark = std::exchange(has_told_, true) ? std::string{} : link_->job_remark();
+    const std::string remark =
+        std::exchange(has_told_, true) ? std::string{} : in_words(link_->job_remarks());
     if (remark.empty()) return;
     clear_progress_line();
     print_warning(remark);

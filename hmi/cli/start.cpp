@@ -10,6 +10,7 @@
 #include "hmi/cli/unfinished_look.hpp"
 #include "hmi/cli/unfinished_text.hpp"
 #include "shared/job/job.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -62,7 +63,8 @@ void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
 Result<int> start(const CommonOptions& common, const StartOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
-    if (const std::string remark = current_remark(link->job_remark(), link->checkpoint()); !remark.empty())
+    if (const std::string remark = in_words(current_remarks(link->job_remarks(), link->checkpoint()));
+        !remark.empty())
         print_warning(remark);
     tell_disk_source(*link, options);
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};

@@ -22,11 +22,13 @@
 #include "hmi/cli/unfinished_text.hpp"
 #include "hmi/cli/watch_loop.hpp"
 #include "hmi/machine/machine_link.hpp"
+#include "hmi/report/message_json.hpp"
 #include "hmi/report/status_json.hpp"
 #include "shared/job/job.hpp"
 #include "shared/machine/machine_state.hpp"
 #include "shared/record/saved_checkpoint.hpp"
 #include "shared/segment/segment.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -176,8 +178,12 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
-    if (const std::string remark = current_remark(link.job_remark(), checkpoint); !remark.empty())
-        object["job_remark"] = remark;
+    if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
+        object["job_remark"] = in_words(remarks);
+        auto messages = nlohmann::ordered_json::array();
+        for (const Message& one : remarks) messages.push_back(report::message_json(one));
+        object["job_remarks"] = messages;
+    }
     if (is_disk_refusing(link)) object["is_disk_refusing"] = true;
     put_into(object, unfinished);
     return text_of(object) + "\n";
@@ -215,7 +221,8 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
-        if (const std::string remark = current_remark(link->job_remark(), checkpoint); !remark.empty())
+        if (const std::string remark = in_words(current_remarks(link->job_remarks(), checkpoint));
+            !remark.empty())
             text += "mind       " + remark + "\n";
         if (is_disk_refusing(*link))
             text +=

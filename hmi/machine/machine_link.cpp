@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
-#include "shared/base/shared_text.hpp"
+#include "shared/base/message_text.hpp"
 #include "shared/computer/event.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::machine {
 namespace {
@@ -25,26 +27,15 @@ bool is_dead_end(MachineState state) {
     return state == MachineState::off || state == MachineState::ready || state == MachineState::waiting;
 }
 
-std::string words_of(const std::vector<MachineState>& states) {
-    std::string words;
-    for (const MachineState state : states) {
-        words += (words.empty() ? "" : " or ");
-        words += name_of(state);
-    }
-    return words;
-}
-
 }  // namespace
 
 Error alarm_error(const CoreStatus& status) {
-    std::string text = "alarm: ";
-    text += name_of(status.alarm_cause);
-    if (status.alarm_axis != kNoAxis && status.alarm_axis < kAxisCount) {
-        text += " of " + std::string{name_of(static_cast<Axis>(status.alarm_axis))};
-    }
-    const std::string remedy{remedy_of(status)};
-    if (!remedy.empty()) text += "; " + remedy;
-    return Error{ErrorCode::machine_refused, text};
+    const Argument cause = argument_of(status.alarm_cause);
+    const Argument remedy = alarm_remedy_argument(status.alarm_cause, status.is_port_silent != 0);
+    if (status.alarm_axis == kNoAxis || status.alarm_axis >= kAxisCount)
+        return error_from(ErrorCode::machine_refused, message_of(MessageId::alarm, cause, remedy));
+    const Argument axis = argument_of(static_cast<Axis>(status.alarm_axis));
+    return error_from(ErrorCode::machine_refused, message_of(MessageId::alarm_of_axis, cause, axis, remedy));
 }
 
 Result<MachineLink> MachineLink::attach(const std::string& segment_name, const std::string& group) {
@@ -67,16 +58,14 @@ Result<MachineLink> MachineLink::create_or_attach(const SegmentOptions& options)
 
 Result<void> MachineLink::require_core() const {
     if (core_pid()) return {};
-    return Error{ErrorCode::no_core,
-                 "no core serves segment " + segment_name() + "; start one: psicarve-rtcore"};
+    return error_from(ErrorCode::no_core, with_text(message_of(MessageId::no_core), segment_name()));
 }
 
 Error MachineLink::silent_core() const {
     const auto pid = core_pid();
     if (!pid) return require_core().error();
-    return Error{ErrorCode::no_core, "the core of segment " + segment_name() + " (pid " +
-                                         std::to_string(*pid) +
-                                         ") is silent: its heartbeat stands still; is it stopped?"};
+    return error_from(ErrorCode::no_core,
+                      with_text(message_of(MessageId::core_silent, count_argument(*pid)), segment_name()));
 }
 
 std::optional<CoreStatus> MachineLink::last_status() const noexcept {
@@ -129,7 +118,7 @@ Result<void> MachineLink::send(CommandKind kind, std::optional<Axis> axis) {
 
 Result<void> MachineLink::send(const Command& command) {
     if (const auto core = require_core(); !core) return core;
-    command_remark_.clear();
+    command_remark_ = {};
     return send_command(segment_, command, kCommandLimit, &command_remark_);
 }
 
@@ -157,9 +146,9 @@ Result<CoreStatus> MachineLink::wait_for_state(const std::vector<MachineState>& 
         if (std::find(wanted.begin(), wanted.end(), status->state) != wanted.end()) return *status;
         if (status->state == MachineState::alarm) return alarm_error(*status);
         if (is_dead_end(status->state)) {
-            return Error{ErrorCode::machine_refused, "the machine came to rest in state '" +
-                                                         std::string{name_of(status->state)} + "', not " +
-                                                         words_of(wanted) + ": somebody stopped it"};
+            return error_from(ErrorCode::machine_refused,
+                              message_of(MessageId::stopped_by_somebody, argument_of(status->state),
+                                         states_argument(wanted)));
         }
     }
 }
@@ -175,9 +164,8 @@ Result<CoreStatus> MachineLink::wait_after_stop(const std::vector<MachineState>&
         const auto now = Clock::now();
         if (!is_at_rest(state)) last_motion = now;
         if (now - last_motion > rest_limit) {
-            return Error{ErrorCode::timed_out, "the machine is still in state '" +
-                                                   std::string{name_of(state)} + "', not " +
-                                                   words_of(wanted)};
+            return error_from(ErrorCode::timed_out, message_of(MessageId::still_in_state, argument_of(state),
+                                                               states_argument(wanted)));
         }
     }
 }

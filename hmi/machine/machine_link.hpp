@@ -59,15 +59,15 @@ public:
     /// Sends one command and waits for the answer: done, or the core's reason (machine_refused).
     Result<void> send(CommandKind kind, std::optional<Axis> axis = {});
     Result<void> send(const Command& command);
-    /// The core's remark on the last command that it did; mostly empty.
-    const std::string& command_remark() const noexcept { return command_remark_; }
+    /// What the core wants to be known of the last command that it did; mostly none.
+    const Message& command_remark() const noexcept { return command_remark_; }
     void stop() noexcept { request_stop(segment_); }
     void emergency_stop() noexcept { request_emergency_stop(segment_); }
 
     /// Publishes a job and, when a core serves, waits until it has judged it. Returns the generation.
     Result<std::uint64_t> publish(std::span<const std::byte> job_blob);
-    /// The core's remark on the job that it has accepted; mostly empty.
-    std::string job_remark() const { return psicarve::job_remark(segment_); }
+    /// What the core wants to be known of the job that it has accepted; mostly nothing.
+    std::vector<Message> job_remarks() const { return psicarve::job_remarks(segment_); }
 
     /// After a command's answer: waits for one of `wanted`, as long as it takes. Ends early with an error
     /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused), or
@@ -85,7 +85,7 @@ private:
     Error silent_core() const;
 
     Segment segment_;
-    std::string command_remark_;
+    Message command_remark_{};
 };
 
 }  // namespace psicarve::machine

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hmi/phrase/calibration_phrase.hpp"
-#include "hmi/phrase/core_phrase.hpp"
 #include "hmi/phrase/flat_phrase.hpp"
+#include "hmi/phrase/message_phrase.hpp"
 #include "hmi/phrase/profile_phrase.hpp"
 #include "hmi/phrase/sentence.hpp"
 #include "hmi/phrase/warning_phrase.hpp"
@@ -295,7 +295,13 @@ Phrase error_phrase(const std::string& message) {
     if (auto found = profile_error_phrase(message)) return *found;
     if (auto found = file_phrase(message)) return *found;
     if (auto found = file_line_phrase(message)) return *found;
-    return core_phrase(message);
+    return phrase("%1", message);
+}
+
+Phrase error_phrase(const Error& error) {
+    // Of these there is but a text, which may be known.
+    const bool is_text = error.said.is_none() || error.said.id == MessageId::job_unsound;
+    return is_text ? error_phrase(error.message) : message_phrase(error.said);
 }
 
 }  // namespace psicarve::session

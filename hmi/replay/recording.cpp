@@ -58,7 +58,7 @@ void add_records_beside(Company& company, std::vector<session::Phrase>& warnings
     for (const std::string& path : companies_beside(company.path)) {
         auto snapshot = load_snapshot(path);
         if (!snapshot) {
-            warnings.push_back(session::error_phrase(snapshot.error().message));
+            warnings.push_back(session::error_phrase(snapshot.error()));
             continue;
         }
         if (snapshot->records.empty() || job_checksum(snapshot->job_blob) != checksum) continue;
@@ -78,7 +78,7 @@ Result<std::unique_ptr<TraceRecording>> open_with_own_job(const OpenOptions& opt
     if (blob) snapshot.job_blob = std::move(**blob);
     auto job = blob ? cam::prepare_snapshot(std::move(snapshot), options.path) : blob.error();
     if (!job) {
-        warnings.push_back(session::error_phrase(job.error().message));
+        warnings.push_back(session::error_phrase(job.error()));
         return std::unique_ptr<TraceRecording>{};
     }
     Company company{options.path, std::make_shared<const cam::PreparedJob>(std::move(*job)), {}, {}, true};
@@ -105,7 +105,7 @@ Result<std::unique_ptr<Recording>> open_with_company(const OpenOptions& options,
     for (const std::string& path : companies_beside(options.path)) {
         const auto company = company_of(path);
         if (!company) {
-            warnings.push_back(session::error_phrase(company.error().message));
+            warnings.push_back(session::error_phrase(company.error()));
             continue;
         }
         auto opened = TraceRecording::open(options.path, *company, options.profile, progress);

@@ -77,7 +77,7 @@ void ReplayDesk::post_open(const OpenOptions& options, std::int64_t from_ns,
 void ReplayDesk::fail(const OpenOptions& options, const Error& error) {
     is_opening_ = false;
     const bool was_cancelled = error.code == ErrorCode::cancelled;
-    const session::Phrase why = session::error_phrase(error.message);
+    const session::Phrase why = session::error_phrase(error);
     log_.add(was_cancelled ? Severity::info : Severity::warning, why);
     if (was_cancelled) return;
     refused_file_ = {options.job_path.empty() ? options.path : options.job_path, why};
@@ -190,7 +190,7 @@ void ReplayDesk::ask_for_moment() {
         return [this, shown, with_looks, edition] {
             if (edition != edition_) return;
             if (!*shown) {
-                log_.add(Severity::warning, session::error_phrase(shown->error().message));
+                log_.add(Severity::warning, session::error_phrase(shown->error()));
                 return leave();
             }
             shown_has_looks_ = with_looks;

@@ -34,7 +34,7 @@ Result<std::unique_ptr<Recording>> SnapshotRecording::open(const std::string& pa
         Snapshot with_job;
         with_job.job_blob = std::move(own.job_blob);
         auto job = cam::prepare_snapshot(std::move(with_job), path);
-        if (!job) facts.warnings.push_back(session::error_phrase(job.error().message));
+        if (!job) facts.warnings.push_back(session::error_phrase(job.error()));
         if (job) facts.job = std::make_shared<const cam::PreparedJob>(std::move(*job));
     }
     if (facts.job) {

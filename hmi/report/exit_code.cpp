@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hmi/report/message_json.hpp"
+
 namespace psicarve::report {
 namespace {
 
@@ -54,10 +56,11 @@ std::string error_json(const Error& error) {
 }
 
 std::string error_json(const Error& error, int exit_code) {
-    // Messages quote file names, which need not be UTF-8: replaces invalid bytes instead of throwing.
-    return nlohmann::ordered_json{
-        {"code", name_of(error.code)}, {"exit_code", exit_code}, {"message", error.message}}
-        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    // Messages quote file names, which need not be UTF-8: replace what is not, rather than throw.
+    nlohmann::ordered_json object{
+        {"code", name_of(error.code)}, {"exit_code", exit_code}, {"message", error.message}};
+    if (const auto said = message_json(error.said); !said.is_null()) object.update(said);
+    return object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace psicarve::report

@@ -18,7 +18,7 @@ inline constexpr int kExitDifference = 6;
 /// The exit code of the command line for an error.
 int exit_code_of(ErrorCode code) noexcept;
 
-/// {"error": {...}} without printing it.
+/// {"error": {...}} without printing it; with the identifier and arguments of its message, where it has one.
 std::string error_json(const Error& error);
 /// For a command that ends with another exit code than the error's own.
 std::string error_json(const Error& error, int exit_code);

@@ -72,7 +72,7 @@ CalibrationOutcome reckon(const ProfileDraft& opened, const CalibrationForm& for
         const auto answers = answers_in(form[i]);
         const auto taken = answers ? take_answers(outcome.draft, profile::kCalibrationSteps[i], *answers)
                                    : Result<void>{answers.error()};
-        if (!taken) outcome.steps[i].problem = error_phrase(taken.error().message);
+        if (!taken) outcome.steps[i].problem = error_phrase(taken.error());
         outcome.steps[i].changes = changes_between(before, outcome.draft);
     }
     return outcome;
@@ -94,7 +94,7 @@ std::optional<Phrase> place_lock(const MachineSight& machine, const std::string&
     const auto place =
         profile::counted_place_mm(path, on_file, machine.core_profile_hash, *machine.status, head);
     if (place) return std::nullopt;
-    return joined(phrase("Here"), error_phrase(place.error().message));
+    return joined(phrase("Here"), error_phrase(place.error()));
 }
 
 }  // namespace psicarve::session

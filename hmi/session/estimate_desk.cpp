@@ -46,8 +46,7 @@ void EstimateDesk::begin() {
             if (planned) {
                 planned_ = *planned;
             } else {
-                log_.add(Severity::info,
-                         joined(phrase("Planned time"), error_phrase(planned.error().message)));
+                log_.add(Severity::info, joined(phrase("Planned time"), error_phrase(planned.error())));
             }
         };
     });

@@ -117,7 +117,7 @@ void JobDesk::take_opened(const std::string& path, const TableWay& way, OpenedFi
     const bool is_cancelled = cancels_.load();
     // Lines that do not fit the default cylinder stay open, so that the user can choose another one.
     const bool is_refused = opened.error && !is_cancelled && !opened.is_line_art;
-    if (is_refused) return refuse(path, error_phrase(opened.error->message));
+    if (is_refused) return refuse(path, error_phrase(*opened.error));
     if (opened.error) fail(*opened.error);
     if (is_cancelled) return;
     if (opened_) opened_();
@@ -289,14 +289,14 @@ void JobDesk::close_file() {
 
 void JobDesk::fail(const Error& error) {
     const Severity severity = error.code == ErrorCode::cancelled ? Severity::info : Severity::warning;
-    log_.add(severity, error_phrase(error.message));
+    log_.add(severity, error_phrase(error));
 }
 
 void JobDesk::refuse_desk(DeskRefusal::Of of, const Error& error, std::vector<Remedy> remedies) {
     fail(error);
     if (error.code == ErrorCode::cancelled) return;
     const std::string name = mesh_ ? mesh_->source_name : path_;
-    refusal_ = {of, name, error_phrase(error.message), std::move(remedies)};
+    refusal_ = {of, name, error_phrase(error), std::move(remedies)};
 }
 
 void JobDesk::fetch_from_core(std::uint64_t generation) {

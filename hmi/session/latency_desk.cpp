@@ -48,8 +48,7 @@ void LatencyDesk::begin(const machine::LatencyWish& wish) {
         return [this, wish, measured] {
             is_measuring_ = false;
             if (!measured) {
-                return log_.add(Severity::warning,
-                                joined(phrase("Measure"), error_phrase(measured.error().message)));
+                return log_.add(Severity::warning, joined(phrase("Measure"), error_phrase(measured.error())));
             }
             last_ = LatencyMeasurement{wish, *measured};
             log_.add(Severity::info,

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "hmi/phrase/core_phrase.hpp"
+#include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {
@@ -24,8 +24,7 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
       jog_(
           options_.segment_name, options_.group,
           [this](const Error& error, bool is_of_test) {
-              tell_refusal(is_of_test ? OrderPlace::outputs : OrderPlace::jog, phrase("By hand"),
-                           error.message);
+              tell_refusal(is_of_test ? OrderPlace::outputs : OrderPlace::jog, phrase("By hand"), error);
           },
           options_.hand_limit) {
     sight_.watched_since = std::chrono::system_clock::now();
@@ -168,7 +167,7 @@ void MachineSession::look_for_checkpoint() {
     sight_.earlier_layer.reset();
     sight_.is_checkpoint_from_disk = false;
     sight_.is_disk_refusing = link_->segment().core_keeping().how == CoreKeeping::How::refused;
-    sight_.job_remark = sight_.is_heard() ? link_->job_remark() : std::string{};
+    sight_.job_remarks = sight_.is_heard() ? link_->job_remarks() : std::vector<psicarve::Message>{};
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
@@ -211,8 +210,8 @@ void MachineSession::forget_piece(const RecordName& record) {
 void MachineSession::deliver_forgetting() {
     const auto done = forgetting_.take();
     if (!done) return;
-    saved_looked_ = {};  // the last result is old
-    if (!*done) return log_.add(Severity::warning, refusal_phrase(phrase("Forget"), done->error().message));
+    saved_looked_ = {};  // what is known of it is past
+    if (!*done) return log_.add(Severity::warning, refusal_phrase(phrase("Forget"), done->error()));
     sight_.saved_piece.reset();
     log_.add(Severity::info, phrase("The unfinished piece is forgotten."));
 }
@@ -262,10 +261,10 @@ void MachineSession::forget_wishes() noexcept {
     refused_.forget();
 }
 
-void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason) {
-    const Phrase what = refusal_phrase(name, reason);
+void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const Error& why) {
+    const Phrase what = refusal_phrase(name, why);
     log_.add_command(Severity::warning, what);
-    refused_.note({place, what, help_for(reason)}, sight_);
+    refused_.note({place, what, help_for(why.said)}, sight_);
 }
 
 void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
@@ -358,7 +357,7 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
                 log_.add_command(Severity::info, std::move(asked));
                 if (then) then();
             };
-        return [this, place = place_of(command.kind), name, otherwise, why = sent.error().message] {
+        return [this, place = place_of(command.kind), name, otherwise, why = sent.error()] {
             tell_refusal(place, name, why);
             if (otherwise) otherwise();
         };

@@ -126,7 +126,7 @@ private:
     void deliver_forgetting();
     void go_on_with_start();
     void forget_wishes() noexcept;
-    void tell_refusal(OrderPlace place, const Phrase& name, const std::string& reason);
+    void tell_refusal(OrderPlace place, const Phrase& name, const Error& why);
 
     SessionOptions options_;
     MessageLog& log_;

@@ -63,8 +63,8 @@ struct MachineSight {
     std::optional<std::uint32_t> earlier_layer;
     std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
     std::uint64_t checkpoint_job_checksum = 0;
-    std::string job_remark{};  ///< of the core, on the published job
-    /// It is from a disk, and nothing was carved by it since: the piece may be from long ago.
+    std::vector<psicarve::Message> job_remarks{};  ///< of the core, on the published job
+    /// It comes from a disk, and nothing was carved by it since: it may be of a piece of long ago.
     bool is_checkpoint_from_disk = false;
     bool is_disk_refusing = false;  ///< the core's disk has not taken the present progress
     /// A core's record on a disk of an unfinished piece, while no core has a job or its piece is known from

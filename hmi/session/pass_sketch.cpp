@@ -166,7 +166,7 @@ Phrase roughing_problem(const Profile& profile) {
     const auto wanted = rough::wanted_roughing(profile);
     if (!wanted) return {};
     const auto checked = rough::check_options(*wanted, profile);
-    return checked ? Phrase{} : error_phrase(checked.error().message);
+    return checked ? Phrase{} : error_phrase(checked.error());
 }
 
 }  // namespace psicarve::session

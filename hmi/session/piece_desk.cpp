@@ -109,7 +109,7 @@ void PieceDesk::begin(const PieceScenePlan& plan) {
                                           }};
         auto worked_out = work_out_piece(wish, plan, options);
         const auto sight = worked_out ? std::make_shared<const PieceSight>(std::move(*worked_out)) : nullptr;
-        const Phrase problem = worked_out ? Phrase{} : error_phrase(worked_out.error().message);
+        const Phrase problem = worked_out ? Phrase{} : error_phrase(worked_out.error());
         return [this, run, sight, problem] {
             if (!run->goes_on.load()) return;
             run_.reset();

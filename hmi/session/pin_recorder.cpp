@@ -5,7 +5,7 @@
 
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/machine/recorded_pins.hpp"
-#include "hmi/phrase/core_phrase.hpp"
+#include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/action_lock.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/machine/recorded_start.hpp"
@@ -46,7 +46,7 @@ void PinRecorder::begin(const std::string& path, const JobPointer& job) {
         if (!link) {
             return [this, why = link.error()] {
                 state_ = State::idle;
-                log_.add(Severity::warning, refusal_phrase(phrase("Record pins"), why.message));
+                log_.add(Severity::warning, refusal_phrase(phrase("Record pins"), why));
             };
         }
         auto taken = std::make_shared<Taken>(std::move(*link), job);
@@ -55,7 +55,7 @@ void PinRecorder::begin(const std::string& path, const JobPointer& job) {
         if (!pins) {
             return [this, why = pins.error()] {
                 state_ = State::idle;
-                log_.add(Severity::warning, refusal_phrase(phrase("Record pins"), why.message));
+                log_.add(Severity::warning, refusal_phrase(phrase("Record pins"), why));
             };
         }
         taken->pins = std::move(*pins);
@@ -92,7 +92,7 @@ void PinRecorder::end() {
 
 void PinRecorder::tell(const Result<verify::VerifyReport>& report, std::optional<Error> no_file) {
     if (no_file) {
-        log_.add(Severity::warning, refusal_phrase(phrase("Record pins"), no_file->message));
+        log_.add(Severity::warning, refusal_phrase(phrase("Record pins"), *no_file));
     } else if (report) {
         log_.add(Severity::info, phrase("Pins recorded: %1", path_));
     }

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 
-#include "shared/machine/signal.hpp"
+#include "shared/machine/message_argument.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -16,10 +15,6 @@ constexpr std::uint64_t kHeartbeatsToSettle = 2;
 
 constexpr SignalWord kSwitches =
     bit_of(Signal::r1_limit) | bit_of(Signal::r2_limit) | bit_of(Signal::y_limit) | bit_of(Signal::estop);
-
-bool speaks_of(std::string_view reason, std::string_view words) {
-    return reason.find(words) != std::string_view::npos;
-}
 
 bool rests_in_alarm(const MachineSight& machine) noexcept {
     return machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off;
@@ -54,13 +49,24 @@ OrderPlace place_of(CommandKind kind) noexcept {
     }
 }
 
-OrderRefusal::Help help_for(const std::string& reason) {
+OrderRefusal::Help help_for(const psicarve::Message& why) noexcept {
     using Help = OrderRefusal::Help;
-    if (speaks_of(reason, "reset the alarm") || reason.starts_with("alarm: ") ||
-        speaks_of(reason, ": alarm: "))
-        return Help::reset_alarm;
-    if (speaks_of(reason, "home first") || speaks_of(reason, "home r1 and r2 first")) return Help::home_all;
-    return Help::none;
+    switch (why.id) {
+        case MessageId::alarm:
+        case MessageId::alarm_of_axis:
+        case MessageId::port_failed:
+        case MessageId::port_reset_first:
+            return Help::reset_alarm;
+        case MessageId::not_homed:
+        case MessageId::heads_not_homed:
+            return Help::home_all;
+        case MessageId::wrong_state:
+            break;
+        default:
+            return Help::none;
+    }
+    if (why.arguments[1].bits == argument_of(MachineState::alarm).bits) return Help::reset_alarm;
+    return why.arguments[1].bits == argument_of(MachineState::off).bits ? Help::home_all : Help::none;
 }
 
 RefusedOrder::Ground RefusedOrder::ground_of(const MachineSight& machine) noexcept {

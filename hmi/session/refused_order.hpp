@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "hmi/phrase/phrase.hpp"
 #include "hmi/session/machine_sight.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/message/message.hpp"
 
 namespace psicarve::session {
 
@@ -24,8 +24,8 @@ struct OrderRefusal {
     Help help = Help::none;
 };
 
-/// The help that fits the core's reason.
-OrderRefusal::Help help_for(const std::string& reason);
+/// What would help against it.
+OrderRefusal::Help help_for(const psicarve::Message& why) noexcept;
 
 /// The last refused order, for as long as that holds: until another order is given, its fields have changed,
 /// or the machine's state has.

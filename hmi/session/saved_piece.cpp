@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/saved_piece.hpp"
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "hmi/phrase/sentence.hpp"
+#include "hmi/phrase/message_phrase.hpp"
 #include "hmi/report/utc_text.hpp"
 #include "hmi/session/going_on.hpp"
 
@@ -83,16 +82,12 @@ bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexce
 }
 
 std::optional<Phrase> disagreement(const MachineSight& machine) {
-    const std::size_t at = machine.job_remark.find("segment: layer ");
-    if (at == std::string::npos) return std::nullopt;
-    auto both = phrase_for(
-        {{"segment: layer %1, disk: %2; where this piece goes on%3",
-          phrase("The computer's memory says %1 layers, its disk %2: the lower number is taken.")}},
-        std::string_view{machine.job_remark}.substr(at));
-    // Once more was carved the place is known.
-    if (!both || !machine.status || has_carved_since(*machine.status)) return std::nullopt;
-    both->arguments.pop_back();
-    return both;
+    const auto both =
+        std::ranges::find(machine.job_remarks, MessageId::segment_and_disk_disagree, &psicarve::Message::id);
+    // What was carved since is known.
+    if (both == machine.job_remarks.end() || !machine.status || has_carved_since(*machine.status))
+        return std::nullopt;
+    return message_phrase(*both);
 }
 
 std::vector<Phrase> disk_question(const MachineSight& machine) {

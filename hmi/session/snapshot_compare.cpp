@@ -69,8 +69,7 @@ void SnapshotCompare::compare(const std::string& path_a, const std::string& path
             if (comparison) {
                 done_ = *comparison;
             } else {
-                log_.add(Severity::warning,
-                         joined(phrase("Compare"), error_phrase(comparison.error().message)));
+                log_.add(Severity::warning, joined(phrase("Compare"), error_phrase(comparison.error())));
             }
         };
     });

@@ -58,7 +58,7 @@ void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::Prepa
             return [this, why = judgement.error()] {
                 is_judging_ = false;
                 const bool is_wish = why.code == ErrorCode::cancelled;
-                log_.add(is_wish ? Severity::info : Severity::warning, error_phrase(why.message));
+                log_.add(is_wish ? Severity::info : Severity::warning, error_phrase(why));
             };
         }
         return [this, open_job = job, done = *judgement] {

@@ -116,6 +116,10 @@
             <translation>свободно в /dev/shm: %1</translation>
         </message>
         <message>
+            <source>%1 goes at %2 at most, and so it does</source>
+            <translation>%1 идёт не быстрее %2, так и идёт</translation>
+        </message>
+        <message>
             <source>%1 has no closed outline: its lines are engraved</source>
             <translation>%1: нет замкнутого контура, гравируются линии</translation>
         </message>
@@ -360,6 +364,10 @@
             <translation>точек в слое %1, а не %2: в половине оборота оси Ψ больше импульсов нет</translation>
         </message>
         <message>
+            <source>%1 points in a layer of %2 pulses of Ψ; slice with at most %3 points</source>
+            <translation>%1 точек в слое из %2 импульсов Ψ; нарежьте не более чем с %3 точками</translation>
+        </message>
+        <message>
             <source>%1 pulses</source>
             <translation>импульсов: %1</translation>
         </message>
@@ -584,8 +592,16 @@
             <translation>Одна линия не замкнута и пропущена: от %1 до %2 mm.</translation>
         </message>
         <message>
+            <source>1 to 10000 pulses, 1 to 500 in a second</source>
+            <translation>от 1 до 10000 импульсов, от 1 до 500 в секунду</translation>
+        </message>
+        <message>
             <source>1 turn</source>
             <translation>1 об.</translation>
+        </message>
+        <message>
+            <source>10 to 200 per cent of the planned feed, whole</source>
+            <translation>от 10 до 200 % плановой подачи, целым числом</translation>
         </message>
         <message>
             <source>3 of 3</source>
@@ -4931,12 +4947,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>facet без endfacet</translation>
         </message>
         <message>
+            <source>a job runs (%1); stop it or wait for its end</source>
+            <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>слою нужны высота и не менее двух радиусов</translation>
         </message>
         <message>
             <source>a layer of one point goes nowhere; it needs two</source>
             <translation>слой из одной точки никуда не ведёт; нужны две</translation>
+        </message>
+        <message>
+            <source>a layer sweeps %1 pulses of Ψ, half a revolution of this machine is %2; slice the model for this machine's profile</source>
+            <translation>слой занимает %1 импульсов Ψ, а пол-оборота этого станка — %2; нарежьте модель для профиля этого станка</translation>
         </message>
         <message>
             <source>a number</source>
@@ -5103,6 +5127,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>разрешено CAP_SYS_RAWIO</translation>
         </message>
         <message>
+            <source>an arc takes R1 and Y, or R2 and Y</source>
+            <translation>для дуги нужны R1 и Y или R2 и Y</translation>
+        </message>
+        <message>
             <source>an array</source>
             <translation>массив</translation>
         </message>
@@ -5125,6 +5153,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>another job was carved last</source>
             <translation>в последний раз вырезалось другое задание</translation>
+        </message>
+        <message>
+            <source>another job was published meanwhile; publish this one again</source>
+            <translation>тем временем опубликовано другое задание; опубликуйте это снова</translation>
+        </message>
+        <message>
+            <source>another process has the pins recorded, or this core cannot record them</source>
+            <translation>выводы записывает другой процесс, или это ядро не может их записывать</translation>
         </message>
         <message>
             <source>another run than that of the layer's first point</source>
@@ -5227,6 +5263,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>перед чистовой</translation>
         </message>
         <message>
+            <source>begin and end of the arc are not equally far from its centre, or it is too small</source>
+            <translation>начало и конец дуги не на равном расстоянии от её центра, или дуга слишком мала</translation>
+        </message>
+        <message>
             <source>being made</source>
             <translation>составляется</translation>
         </message>
@@ -5241,6 +5281,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>being sliced</source>
             <translation>нарезается</translation>
+        </message>
+        <message>
+            <source>beyond the machine's limits</source>
+            <translation>за пределами станка</translation>
         </message>
         <message>
             <source>blank</source>
@@ -5779,12 +5823,40 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой %1, точка %2: высота не равна высоте слоя и не лежит на подъёме спирали</translation>
         </message>
         <message>
+            <source>layer %1, point %2: the radius of %3 is not that in which the layer below ends; slice the model again</source>
+            <translation>слой %1, точка %2: радиус %3 не тот, на котором кончается слой ниже; нарежьте модель снова</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the radius of %3, %4, is beyond the travel, which ends at %5; make the model smaller</source>
+            <translation>слой %1, точка %2: радиус %3, %4, за пределами хода, который кончается на %5; уменьшите модель</translation>
+        </message>
+        <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
             <translation>слой %1, точка %2: радиус %3, %4, внутри радиуса сердцевины %5; режьте мельче или уменьшите core_radius_mm</translation>
         </message>
         <message>
+            <source>layer %1, point %2: the tips are %3 apart, closer than head_clearance_mm, %4; raise core_radius_mm and slice again</source>
+            <translation>слой %1, точка %2: между остриями %3, меньше head_clearance_mm, %4; увеличьте core_radius_mm и нарежьте снова</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 does not lie above the layer below, %3; use fewer layers</source>
+            <translation>слой %1: высота %2 не выше слоя ниже, %3; возьмите меньше слоёв</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 is not that of the layer below, %3, as in the ring that closes a spiral; slice the model again</source>
+            <translation>слой %1: высота %2 не равна высоте слоя ниже, %3, как в кольце, замыкающем спираль; нарежьте модель снова</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 lies outside the travel of Y, %3 to %4; make the model smaller</source>
+            <translation>слой %1: высота %2 вне хода Y, от %3 до %4; уменьшите модель</translation>
+        </message>
+        <message>
             <source>layers</source>
             <translation>слои</translation>
+        </message>
+        <message>
+            <source>layers are counted from 0, in whole numbers</source>
+            <translation>слои считаются с 0, целыми числами</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>
@@ -5979,6 +6051,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>движется</translation>
         </message>
         <message>
+            <source>no arc, %1 and Y differ in pulses_per_mm</source>
+            <translation>дуги нет: у %1 и Y разные pulses_per_mm</translation>
+        </message>
+        <message>
+            <source>no axis goes so far (%1)</source>
+            <translation>так далеко ни одна ось не ходит (%1)</translation>
+        </message>
+        <message>
+            <source>no axis to move</source>
+            <translation>нет оси, которую нужно переместить</translation>
+        </message>
+        <message>
             <source>no blank has %1 mm; %2 to %3 mm can be</source>
             <translation>заготовки в %1 mm не бывает; возможно от %2 до %3 mm</translation>
         </message>
@@ -6005,6 +6089,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>no layer was finished</source>
             <translation>ни один слой не закончен</translation>
+        </message>
+        <message>
+            <source>no layer was finished; start from the beginning, or with layer %1 for the piece of before</source>
+            <translation>ни один слой не закончен; начните сначала, а для прежней детали — со слоя %1</translation>
         </message>
         <message>
             <source>no lines to engrave</source>
@@ -6039,8 +6127,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>черновых проходов нет: ничто от заготовки не выступает за припуск</translation>
         </message>
         <message>
+            <source>no such axis</source>
+            <translation>такой оси нет</translation>
+        </message>
+        <message>
             <source>no such file</source>
             <translation>нет такого файла</translation>
+        </message>
+        <message>
+            <source>no such output</source>
+            <translation>такого выхода нет</translation>
         </message>
         <message>
             <source>no virtual machine</source>
@@ -6065,6 +6161,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>no: its pins were not recorded (page Ports)</source>
             <translation>нет: выводы не записаны (страница «Порты»)</translation>
+        </message>
+        <message>
+            <source>nobody holds its lease</source>
+            <translation>никто не удерживает движение</translation>
         </message>
         <message>
             <source>nobody knows how far it was carved; look at the piece and choose the layer</source>
@@ -6249,6 +6349,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>plan starved</source>
             <translation>расчёт не успел</translation>
+        </message>
+        <message>
+            <source>point by point takes one or two of R1, R2 and Y</source>
+            <translation>по точкам движутся одна или две из осей R1, R2 и Y</translation>
         </message>
         <message>
             <source>point, ball, flat or vee</source>
@@ -6607,6 +6711,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>проверка</translation>
         </message>
         <message>
+            <source>that is a record of the other kind of machine; this core keeps none</source>
+            <translation>это запись другого вида станка; у этого ядра таких нет</translation>
+        </message>
+        <message>
             <source>the XML ends too early</source>
             <translation>XML обрывается</translation>
         </message>
@@ -6635,6 +6743,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>у встроенного профиля нет файла: сохраните его под именем</translation>
         </message>
         <message>
+            <source>the centre: no axis goes so far (%1)</source>
+            <translation>центр: так далеко ни одна ось не ходит (%1)</translation>
+        </message>
+        <message>
             <source>the computer has too little free memory: end other programs</source>
             <translation>мало свободной памяти: завершите другие программы</translation>
         </message>
@@ -6643,8 +6755,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ядро не может им управлять</translation>
         </message>
         <message>
+            <source>the core cannot record so, or knows nobody to record for</source>
+            <translation>ядро так не записывает или не знает, для кого записывать</translation>
+        </message>
+        <message>
             <source>the core did not answer within %1 ms</source>
             <translation>ядро не ответило за %1 ms</translation>
+        </message>
+        <message>
+            <source>the core did not judge the job within %1 ms</source>
+            <translation>ядро не проверило задание за %1 мс</translation>
+        </message>
+        <message>
+            <source>the core does not know this command; is it another version?</source>
+            <translation>ядро не знает этой команды; не другая ли это версия?</translation>
         </message>
         <message>
             <source>the core ended before it answered</source>
@@ -6655,8 +6779,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ядро сегмента %1 (процесс %2) молчит</translation>
         </message>
         <message>
+            <source>the core refuses it and gives no reason</source>
+            <translation>ядро отказало, не назвав причины</translation>
+        </message>
+        <message>
             <source>the core runs with another profile than %1; start it with that one</source>
             <translation>ядро работает с другим профилем, не с %1; запустите его с этим</translation>
+        </message>
+        <message>
+            <source>the core was replaced before it did this</source>
+            <translation>ядро заменили, прежде чем оно это сделало</translation>
+        </message>
+        <message>
+            <source>the core's disk has another record of this piece; look again</source>
+            <translation>на диске ядра другая запись об этой детали; посмотрите ещё раз</translation>
         </message>
         <message>
             <source>the core's memory is locked, but a computer that swaps is late with everything else</source>
@@ -6669,6 +6805,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the diameter of the pin is needed</source>
             <translation>нужен диаметр штифта</translation>
+        </message>
+        <message>
+            <source>the disk does not answer, and too much waits for it</source>
+            <translation>диск не отвечает, и слишком многое его ждёт</translation>
         </message>
         <message>
             <source>the drawing is %1 mm high, and the cylinder only %2 mm: choose a larger height or a smaller scale</source>
@@ -6715,12 +6855,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сторожевой процесс завершился; запустите ядро снова</translation>
         </message>
         <message>
+            <source>the job has no such layer; the first is 0</source>
+            <translation>в задании нет такого слоя; первый — 0</translation>
+        </message>
+        <message>
             <source>the job has not so many layers, but %1</source>
             <translation>в задании нет столько слоёв, их %1</translation>
         </message>
         <message>
             <source>the job is carved to its end</source>
             <translation>задание вырезано до конца</translation>
+        </message>
+        <message>
+            <source>the job is published, but no core serves segment %1</source>
+            <translation>задание опубликовано, но сегмент %1 не обслуживает ни одно ядро</translation>
+        </message>
+        <message>
+            <source>the job is unsound: %1</source>
+            <translation>задание неисправно: %1</translation>
         </message>
         <message>
             <source>the job that it carries is damaged</source>
@@ -6733,6 +6885,34 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the job's</source>
             <translation>из задания</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2, which is in the heads' way</source>
+            <translation>высота заготовки задания %1, в профиле %2: она окажется на пути головок</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2: a part of the job is air</source>
+            <translation>высота заготовки задания %1, в профиле %2: часть задания пройдёт по воздуху</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2, which is in the heads' way</source>
+            <translation>радиус заготовки задания %1, в профиле %2: она окажется на пути головок</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2: a part of the job is air</source>
+            <translation>радиус заготовки задания %1, в профиле %2: часть задания пройдёт по воздуху</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's, which is in the heads' way</source>
+            <translation>заготовка задания стоит в стороне от указанной в профиле на %1, и та окажется на пути головок</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's: a part of the job is air</source>
+            <translation>заготовка задания стоит в стороне от указанной в профиле на %1: часть задания пройдёт по воздуху</translation>
+        </message>
+        <message>
+            <source>the job's direction of axis %1 is the other way round on this machine; slice the model for this machine's profile</source>
+            <translation>направление оси %1 в задании на этом станке обратное; нарежьте модель для профиля этого станка</translation>
         </message>
         <message>
             <source>the kernel has one, but /dev/parport0 is not there</source>
@@ -6759,8 +6939,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>станок остановился (%1), его кто-то остановил</translation>
         </message>
         <message>
+            <source>the machine has not come to rest yet (%1)</source>
+            <translation>станок ещё не остановился (%1)</translation>
+        </message>
+        <message>
             <source>the machine is %1; home it, jog %2 to the pin, and let it rest</source>
             <translation>станок: %1; найдите ноль, подведите %2 к штифту и дайте остановиться</translation>
+        </message>
+        <message>
+            <source>the machine is busy; try again</source>
+            <translation>станок занят; повторите</translation>
+        </message>
+        <message>
+            <source>the machine is not at rest; stop first</source>
+            <translation>станок не стоит; сначала остановите его</translation>
         </message>
         <message>
             <source>the machine is not homed; home first</source>
@@ -6787,8 +6979,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
         </message>
         <message>
+            <source>the published job is damaged; publish it again</source>
+            <translation>опубликованное задание повреждено; опубликуйте его снова</translation>
+        </message>
+        <message>
             <source>the same job</source>
             <translation>то же задание</translation>
+        </message>
+        <message>
+            <source>the speed must be above 0</source>
+            <translation>скорость должна быть больше 0</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

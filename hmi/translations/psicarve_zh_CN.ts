@@ -116,6 +116,10 @@
             <translation>/dev/shm 中空闲 %1</translation>
         </message>
         <message>
+            <source>%1 goes at %2 at most, and so it does</source>
+            <translation>%1 最多以 %2 运行，现按此速度运行</translation>
+        </message>
+        <message>
             <source>%1 has no closed outline: its lines are engraved</source>
             <translation>%1 没有闭合轮廓：改为雕刻其线条</translation>
         </message>
@@ -360,6 +364,10 @@
             <translation>每层 %1 点而不是 %2 点：Ψ 轴半圈没有更多脉冲</translation>
         </message>
         <message>
+            <source>%1 points in a layer of %2 pulses of Ψ; slice with at most %3 points</source>
+            <translation>一层有 %1 个点，而 Ψ 只有 %2 个脉冲；请最多用 %3 个点切片</translation>
+        </message>
+        <message>
             <source>%1 pulses</source>
             <translation>%1 脉冲</translation>
         </message>
@@ -584,8 +592,16 @@
             <translation>1 条线未闭合，已略去：从 %1 到 %2 mm。</translation>
         </message>
         <message>
+            <source>1 to 10000 pulses, 1 to 500 in a second</source>
+            <translation>1 到 10000 个脉冲，每秒 1 到 500 个</translation>
+        </message>
+        <message>
             <source>1 turn</source>
             <translation>1 圈</translation>
+        </message>
+        <message>
+            <source>10 to 200 per cent of the planned feed, whole</source>
+            <translation>计划进给的 10 到 200 %，整数</translation>
         </message>
         <message>
             <source>3 of 3</source>
@@ -4924,12 +4940,20 @@ N、Shift+N  下一条、上一条记录
             <translation>有 facet 缺少 endfacet</translation>
         </message>
         <message>
+            <source>a job runs (%1); stop it or wait for its end</source>
+            <translation>作业正在运行（%1）；请停止或等待其结束</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>每层需要高度和至少两个半径</translation>
         </message>
         <message>
             <source>a layer of one point goes nowhere; it needs two</source>
             <translation>只有一个点的层没有走向；至少需要两个点</translation>
+        </message>
+        <message>
+            <source>a layer sweeps %1 pulses of Ψ, half a revolution of this machine is %2; slice the model for this machine's profile</source>
+            <translation>一层扫过 Ψ 的 %1 个脉冲，本机床半圈为 %2 个；请按本机床的配置切片</translation>
         </message>
         <message>
             <source>a number</source>
@@ -5096,6 +5120,10 @@ N、Shift+N  下一条、上一条记录
             <translation>由 CAP_SYS_RAWIO 允许</translation>
         </message>
         <message>
+            <source>an arc takes R1 and Y, or R2 and Y</source>
+            <translation>圆弧需要 R1 和 Y，或 R2 和 Y</translation>
+        </message>
+        <message>
             <source>an array</source>
             <translation>数组</translation>
         </message>
@@ -5118,6 +5146,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>another job was carved last</source>
             <translation>上次雕刻的是另一个作业</translation>
+        </message>
+        <message>
+            <source>another job was published meanwhile; publish this one again</source>
+            <translation>其间发布了另一个作业；请重新发布此作业</translation>
+        </message>
+        <message>
+            <source>another process has the pins recorded, or this core cannot record them</source>
+            <translation>另一进程正在记录引脚，或此内核不能记录</translation>
         </message>
         <message>
             <source>another run than that of the layer's first point</source>
@@ -5220,6 +5256,10 @@ N、Shift+N  下一条、上一条记录
             <translation>精加工之前</translation>
         </message>
         <message>
+            <source>begin and end of the arc are not equally far from its centre, or it is too small</source>
+            <translation>圆弧的起点和终点到圆心的距离不相等，或圆弧太小</translation>
+        </message>
+        <message>
             <source>being made</source>
             <translation>正在生成</translation>
         </message>
@@ -5234,6 +5274,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>being sliced</source>
             <translation>正在切片</translation>
+        </message>
+        <message>
+            <source>beyond the machine's limits</source>
+            <translation>超出机床的极限</translation>
         </message>
         <message>
             <source>blank</source>
@@ -5772,12 +5816,40 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 层第 %2 点：高度既不是该层的高度，也不在螺旋的上升路线上</translation>
         </message>
         <message>
+            <source>layer %1, point %2: the radius of %3 is not that in which the layer below ends; slice the model again</source>
+            <translation>第 %1 层，第 %2 点：%3 的半径与下一层末端的半径不同；请重新切片</translation>
+        </message>
+        <message>
+            <source>layer %1, point %2: the radius of %3, %4, is beyond the travel, which ends at %5; make the model smaller</source>
+            <translation>第 %1 层，第 %2 点：%3 的半径 %4 超出行程，行程止于 %5；请缩小模型</translation>
+        </message>
+        <message>
             <source>layer %1, point %2: the radius of %3, %4, is inside the core radius of %5; carve less deep, or lower core_radius_mm</source>
             <translation>第 %1 层第 %2 点：%3 的半径 %4 在芯半径 %5 之内；请雕浅一些，或减小 core_radius_mm</translation>
         </message>
         <message>
+            <source>layer %1, point %2: the tips are %3 apart, closer than head_clearance_mm, %4; raise core_radius_mm and slice again</source>
+            <translation>第 %1 层，第 %2 点：刀尖相距 %3，小于 head_clearance_mm（%4）；请增大 core_radius_mm 并重新切片</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 does not lie above the layer below, %3; use fewer layers</source>
+            <translation>第 %1 层：高度 %2 不高于下一层的 %3；请减少层数</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 is not that of the layer below, %3, as in the ring that closes a spiral; slice the model again</source>
+            <translation>第 %1 层：高度 %2 与下一层的 %3 不同，而闭合螺旋的环应相同；请重新切片</translation>
+        </message>
+        <message>
+            <source>layer %1: the height of %2 lies outside the travel of Y, %3 to %4; make the model smaller</source>
+            <translation>第 %1 层：高度 %2 超出 Y 的行程 %3 到 %4；请缩小模型</translation>
+        </message>
+        <message>
             <source>layers</source>
             <translation>层数</translation>
+        </message>
+        <message>
+            <source>layers are counted from 0, in whole numbers</source>
+            <translation>层从 0 开始计数，须为整数</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>
@@ -5972,6 +6044,18 @@ N、Shift+N  下一条、上一条记录
             <translation>移动中</translation>
         </message>
         <message>
+            <source>no arc, %1 and Y differ in pulses_per_mm</source>
+            <translation>不是圆弧：%1 和 Y 的 pulses_per_mm 不同</translation>
+        </message>
+        <message>
+            <source>no axis goes so far (%1)</source>
+            <translation>没有轴能走这么远（%1）</translation>
+        </message>
+        <message>
+            <source>no axis to move</source>
+            <translation>没有要移动的轴</translation>
+        </message>
+        <message>
             <source>no blank has %1 mm; %2 to %3 mm can be</source>
             <translation>没有 %1 mm 的毛坯；可为 %2 至 %3 mm</translation>
         </message>
@@ -5998,6 +6082,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no layer was finished</source>
             <translation>没有一层已雕刻完成</translation>
+        </message>
+        <message>
+            <source>no layer was finished; start from the beginning, or with layer %1 for the piece of before</source>
+            <translation>没有一层已雕刻完成；请从头开始，若是之前的工件则从第 %1 层开始</translation>
         </message>
         <message>
             <source>no lines to engrave</source>
@@ -6032,8 +6120,16 @@ N、Shift+N  下一条、上一条记录
             <translation>无粗加工：毛坯没有超出余量的部分</translation>
         </message>
         <message>
+            <source>no such axis</source>
+            <translation>没有这个轴</translation>
+        </message>
+        <message>
             <source>no such file</source>
             <translation>没有此文件</translation>
+        </message>
+        <message>
+            <source>no such output</source>
+            <translation>没有这个输出</translation>
         </message>
         <message>
             <source>no virtual machine</source>
@@ -6058,6 +6154,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no: its pins were not recorded (page Ports)</source>
             <translation>否：未记录引脚（端口页）</translation>
+        </message>
+        <message>
+            <source>nobody holds its lease</source>
+            <translation>没有人持有其租约</translation>
         </message>
         <message>
             <source>nobody knows how far it was carved; look at the piece and choose the layer</source>
@@ -6242,6 +6342,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>plan starved</source>
             <translation>规划供不应求</translation>
+        </message>
+        <message>
+            <source>point by point takes one or two of R1, R2 and Y</source>
+            <translation>逐点移动需要 R1、R2 和 Y 中的一个或两个轴</translation>
         </message>
         <message>
             <source>point, ball, flat or vee</source>
@@ -6600,6 +6704,10 @@ N、Shift+N  下一条、上一条记录
             <translation>测试中</translation>
         </message>
         <message>
+            <source>that is a record of the other kind of machine; this core keeps none</source>
+            <translation>这是另一种机床的记录；此内核不保存</translation>
+        </message>
+        <message>
             <source>the XML ends too early</source>
             <translation>XML 过早结束</translation>
         </message>
@@ -6628,6 +6736,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内置配置没有文件：请另存为一个文件</translation>
         </message>
         <message>
+            <source>the centre: no axis goes so far (%1)</source>
+            <translation>圆心：没有轴能走这么远（%1）</translation>
+        </message>
+        <message>
             <source>the computer has too little free memory: end other programs</source>
             <translation>本机空闲内存太少：请结束其他程序</translation>
         </message>
@@ -6636,8 +6748,20 @@ N、Shift+N  下一条、上一条记录
             <translation>内核无法驱动它</translation>
         </message>
         <message>
+            <source>the core cannot record so, or knows nobody to record for</source>
+            <translation>内核不能这样记录，或不知道为谁记录</translation>
+        </message>
+        <message>
             <source>the core did not answer within %1 ms</source>
             <translation>内核在 %1 ms 内没有回答</translation>
+        </message>
+        <message>
+            <source>the core did not judge the job within %1 ms</source>
+            <translation>内核未在 %1 ms 内检查完作业</translation>
+        </message>
+        <message>
+            <source>the core does not know this command; is it another version?</source>
+            <translation>内核不认识此命令；是否版本不同？</translation>
         </message>
         <message>
             <source>the core ended before it answered</source>
@@ -6648,8 +6772,20 @@ N、Shift+N  下一条、上一条记录
             <translation>共享段 %1 的内核（进程 %2）没有响应</translation>
         </message>
         <message>
+            <source>the core refuses it and gives no reason</source>
+            <translation>内核拒绝此命令，且未说明原因</translation>
+        </message>
+        <message>
             <source>the core runs with another profile than %1; start it with that one</source>
             <translation>内核使用的配置不是 %1；请用它启动内核</translation>
+        </message>
+        <message>
+            <source>the core was replaced before it did this</source>
+            <translation>内核在执行之前已被替换</translation>
+        </message>
+        <message>
+            <source>the core's disk has another record of this piece; look again</source>
+            <translation>内核的磁盘上有此工件的另一条记录；请再看一次</translation>
         </message>
         <message>
             <source>the core's memory is locked, but a computer that swaps is late with everything else</source>
@@ -6662,6 +6798,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the diameter of the pin is needed</source>
             <translation>需要销的直径</translation>
+        </message>
+        <message>
+            <source>the disk does not answer, and too much waits for it</source>
+            <translation>磁盘没有响应，等待它的任务过多</translation>
         </message>
         <message>
             <source>the drawing is %1 mm high, and the cylinder only %2 mm: choose a larger height or a smaller scale</source>
@@ -6708,12 +6848,24 @@ N、Shift+N  下一条、上一条记录
             <translation>看护进程已结束；请重新启动核心</translation>
         </message>
         <message>
+            <source>the job has no such layer; the first is 0</source>
+            <translation>作业没有这一层；第一层是 0</translation>
+        </message>
+        <message>
             <source>the job has not so many layers, but %1</source>
             <translation>作业没有这么多层，只有 %1 层</translation>
         </message>
         <message>
             <source>the job is carved to its end</source>
             <translation>作业已雕刻到最后</translation>
+        </message>
+        <message>
+            <source>the job is published, but no core serves segment %1</source>
+            <translation>作业已发布，但没有内核服务于共享段 %1</translation>
+        </message>
+        <message>
+            <source>the job is unsound: %1</source>
+            <translation>作业有误：%1</translation>
         </message>
         <message>
             <source>the job that it carries is damaged</source>
@@ -6726,6 +6878,34 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the job's</source>
             <translation>作业自带</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2, which is in the heads' way</source>
+            <translation>作业的毛坯高度为 %1，配置中为 %2，会挡住刀头</translation>
+        </message>
+        <message>
+            <source>the job's blank has a height of %1, the profile's %2: a part of the job is air</source>
+            <translation>作业的毛坯高度为 %1，配置中为 %2：作业的一部分是空切</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2, which is in the heads' way</source>
+            <translation>作业的毛坯半径为 %1，配置中为 %2，会挡住刀头</translation>
+        </message>
+        <message>
+            <source>the job's blank has a radius of %1, the profile's %2: a part of the job is air</source>
+            <translation>作业的毛坯半径为 %1，配置中为 %2：作业的一部分是空切</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's, which is in the heads' way</source>
+            <translation>作业的毛坯与配置中的毛坯错开 %1，后者会挡住刀头</translation>
+        </message>
+        <message>
+            <source>the job's blank stands %1 beside the profile's: a part of the job is air</source>
+            <translation>作业的毛坯与配置中的毛坯错开 %1：作业的一部分是空切</translation>
+        </message>
+        <message>
+            <source>the job's direction of axis %1 is the other way round on this machine; slice the model for this machine's profile</source>
+            <translation>作业中 %1 轴的方向与本机床相反；请按本机床的配置切片</translation>
         </message>
         <message>
             <source>the kernel has one, but /dev/parport0 is not there</source>
@@ -6752,8 +6932,20 @@ N、Shift+N  下一条、上一条记录
             <translation>机床已停下（%1），有人停止了它</translation>
         </message>
         <message>
+            <source>the machine has not come to rest yet (%1)</source>
+            <translation>机床尚未停下（%1）</translation>
+        </message>
+        <message>
             <source>the machine is %1; home it, jog %2 to the pin, and let it rest</source>
             <translation>机床状态：%1；请回零，将 %2 点动到销处并停稳</translation>
+        </message>
+        <message>
+            <source>the machine is busy; try again</source>
+            <translation>机床正忙；请重试</translation>
+        </message>
+        <message>
+            <source>the machine is not at rest; stop first</source>
+            <translation>机床未静止；请先停止</translation>
         </message>
         <message>
             <source>the machine is not homed; home first</source>
@@ -6780,8 +6972,16 @@ N、Shift+N  下一条、上一条记录
             <translation>配置长 %1 字节；最多 %2 字节</translation>
         </message>
         <message>
+            <source>the published job is damaged; publish it again</source>
+            <translation>已发布的作业已损坏；请重新发布</translation>
+        </message>
+        <message>
             <source>the same job</source>
             <translation>同一作业</translation>
+        </message>
+        <message>
+            <source>the speed must be above 0</source>
+            <translation>速度必须大于 0</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>

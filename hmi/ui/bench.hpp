@@ -50,10 +50,9 @@ struct Bench {
         desk.set_opened([this] { replay.leave(); });
         desk.set_profile([this] { return machine_profile(); });
         settings->set_on_unwritten([this](const Error& why) {
-            log.add(
-                session::Severity::warning,
-                session::joined(session::phrase("Settings are not kept"), session::error_phrase(why.message)),
-                session::phrase("Is the disk full, or the folder another user's?"));
+            log.add(session::Severity::warning,
+                    session::joined(session::phrase("Settings are not kept"), session::error_phrase(why)),
+                    session::phrase("Is the disk full, or the folder another user's?"));
         });
     }
 

@@ -206,9 +206,8 @@ void CalibrationDialog::open_for(const std::string& path) {
     desk_.open(path, [this](const Result<void>& opened) {
         const auto on_file = opened ? desk_.draft().profile() : Result<Profile>{opened.error()};
         if (!on_file) {
-            return bench_.log.add(Severity::warning,
-                                  session::joined(session::phrase("Calibrate"),
-                                                  session::error_phrase(on_file.error().message)));
+            return bench_.log.add(Severity::warning, session::joined(session::phrase("Calibrate"),
+                                                                     session::error_phrase(on_file.error())));
         }
         on_file_ = *on_file;
         begin_with_what_was_read();
@@ -296,7 +295,7 @@ void CalibrationDialog::write() {
 void CalibrationDialog::tell_written(const Result<void>& saved) {
     if (!saved) {
         bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
-                                                          session::error_phrase(saved.error().message)));
+                                                          session::error_phrase(saved.error())));
         return come_to_front();  // what was measured is not lost with a dialog that was shut meanwhile
     }
     const std::string path = desk_.draft().path();

@@ -35,7 +35,7 @@ void MainWindow::begin_with(const QString& profile, const QString& path) {
 /// A table becomes a job by the machine's profile: without the one that was asked for nothing is opened.
 void MainWindow::take_profile(const Result<Profile>& read, const QString& profile, const QString& path) {
     if (!read) {
-        bench_.desk.refuse(profile.toStdString(), session::error_phrase(read.error().message));
+        bench_.desk.refuse(profile.toStdString(), session::error_phrase(read.error()));
         if (path.isEmpty()) return;
         return bench_.log.add(
             session::Severity::warning,

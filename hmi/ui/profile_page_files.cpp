@@ -105,7 +105,7 @@ void ProfilePage::open_again() {
 
 void ProfilePage::show_opened(const Result<void>& opened) {
     if (opened) return show_other();
-    bench_.log.add(Severity::warning, session::error_phrase(opened.error().message));
+    bench_.log.add(Severity::warning, session::error_phrase(opened.error()));
     show_state();
 }
 
@@ -119,7 +119,7 @@ void ProfilePage::report(const Result<void>& saved) {
         bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft().path()));
     } else {
         bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
-                                                          session::error_phrase(saved.error().message)));
+                                                          session::error_phrase(saved.error())));
     }
     look_for_files();
     show_changed();

@@ -96,9 +96,8 @@ CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, c
     const auto known = known_of(header, job);
     if (!known) return {};
     if (known->next_layer == left.next_layer) return {};
-    const std::string both = "segment: layer " + std::to_string(known->next_layer) +
-                             ", disk: " + std::to_string(left.next_layer) +
-                             "; where this piece goes on the two disagree, the lower one is taken";
+    const Message both = message_of(MessageId::segment_and_disk_disagree, layer_argument(known->next_layer),
+                                    layer_argument(left.next_layer));
     if (left.next_layer > known->next_layer) return {own(job, known->next_layer, known->earlier_layer), both};
     place();
     return {std::nullopt, both};

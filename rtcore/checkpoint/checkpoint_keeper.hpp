@@ -47,8 +47,8 @@ public:
 
     /// The result of taking over a disk's record of the current job.
     struct TakenOver {
-        std::optional<Checkpoint> to_keep;  ///< the disk says more than the segment: write this to it
-        std::string remark;                 ///< the two disagree; else empty
+        std::optional<Checkpoint> to_keep;  ///< the disk says more than the segment: this belongs there
+        Message remark{};                   ///< the two disagree; else none
     };
     /// Copies the disk's record into a segment that never had one, never into one that is damaged. Where the
     /// segment has a record of this job and the two disagree, the lower layer is taken.

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "rtcore/checkpoint/checkpoint_file.hpp"
 #include "rtcore/checkpoint/checkpoint_keeper.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/job/loaded_job.hpp"
+#include "shared/message/message.hpp"
 #include "shared/segment/layout.hpp"
 
 namespace psicarve::supervisor {
@@ -26,17 +28,17 @@ public:
     void enter(SegmentHeader& header) const;
     /// The segment was replaced: the new one holds no checkpoint yet.
     void write_anew(SegmentHeader& header) const noexcept { keeper_.write_anew(header); }
-    /// Makes it the current job. Returns what the operator should know of its piece; mostly empty.
-    std::string take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
-    /// Call it every round. Null: there is no job.
+    /// It is the job at hand from here on. What is to be known of it, where there is something.
+    std::vector<Message> take_job(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
+    /// Every round. Null: there is no job.
     void note(SegmentHeader& header, const cycle::Sample& sample,
               const std::shared_ptr<const LoadedJob>& job);
-    /// Forgets exactly this record, in the segment and, later, on the disk. Returns empty, or why nothing was
-    /// forgotten.
-    std::string forget(SegmentHeader& header, const RecordName& record);
+    /// This record and no other: gone from the segment, and to go from the disk. None: it is done; else why
+    /// it is not, and nothing was forgotten.
+    Message forget(SegmentHeader& header, const RecordName& record);
 
 private:
-    std::string take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
+    std::vector<Message> take_left(SegmentHeader& header, const std::shared_ptr<const LoadedJob>& job);
 
     std::uint64_t profile_hash_;
     bool is_simulator_;

@@ -3,8 +3,15 @@
 
 #include <utility>
 
+#include "shared/base/message_text.hpp"
+
 namespace psicarve::supervisor {
 namespace {
+
+/// What a job's structure or its profile's text is wrong in is said by a text alone.
+Message message_for(const Error& error) {
+    return error.said.is_none() ? with_text(message_of(MessageId::job_unsound), error.message) : error.said;
+}
 
 JobLoader::Outcome look_at(Segment& segment, std::uint64_t known_generation, std::uint64_t generation,
                            const Profile& profile) {
@@ -13,7 +20,7 @@ JobLoader::Outcome look_at(Segment& segment, std::uint64_t known_generation, std
     if (!taken) {
         outcome.generation = generation;
         outcome.is_published = is_published(segment, generation);
-        outcome.refusal = taken.error().message;
+        outcome.refusal = message_for(taken.error());
         return outcome;
     }
     if (!taken->has_value()) return outcome;
@@ -24,7 +31,7 @@ JobLoader::Outcome look_at(Segment& segment, std::uint64_t known_generation, std
     if (job) {
         outcome.job = std::move(*job);
     } else {
-        outcome.refusal = job.error().message;
+        outcome.refusal = message_for(job.error());
     }
     return outcome;
 }

@@ -27,7 +27,7 @@ public:
         std::uint64_t generation = 0;
         bool is_published = false;  ///< false: no publisher wrote that generation, its word is damaged
         std::shared_ptr<const LoadedJob> job;
-        std::string refusal;
+        Message refusal{};  ///< where there is no job
     };
     /// Requires that it is not busy. `generation`: of the published job as it was seen, for a report if it is
     /// damaged.

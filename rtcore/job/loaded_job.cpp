@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/job/loaded_job.hpp"
 
+#include "shared/base/message_text.hpp"
+#include "shared/wording/wording.hpp"
+
 namespace psicarve::supervisor {
 namespace {
 
@@ -28,14 +31,13 @@ Result<std::shared_ptr<const LoadedJob>> load_job(std::vector<std::byte> blob, s
     if (!profile) return profile.error();
     const auto differing = job_differences(*profile, core_profile);
     if (!differing.empty()) {
-        return Error{ErrorCode::machine_refused,
-                     "the job was made for another machine: " + differences_text(differing) +
-                         " differ; slice it again with the core's profile"};
+        return error_from(ErrorCode::machine_refused, with_text(message_of(MessageId::job_for_other_machine),
+                                                                differences_text(differing)));
     }
     if (const auto fits = check_job(job->view, core_profile); !fits) return fits.error();
     if (const auto clear = check_heads_clear(profile->blank, core_profile); !clear) return clear.error();
     if (const auto other = blank_difference(profile->blank, core_profile.blank))
-        job->remark = blank_difference_text(*other);
+        job->remark = blank_difference_message(*other);
     return std::shared_ptr<const LoadedJob>{std::move(job)};
 }
 

@@ -19,7 +19,7 @@ struct LoadedJob {
     std::uint64_t checksum;  ///< XXH3 over the blob
     std::vector<std::byte> blob;
     JobView view;
-    std::string remark;  ///< what the operator should know before it is carved; mostly empty
+    Message remark;  ///< what is to be known of it before it is carved; mostly none
 };
 
 /// Checks a blob completely: its own structure, the machine's limits, and the profile it was made for.

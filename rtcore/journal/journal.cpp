@@ -10,6 +10,7 @@
 
 #include "rtcore/journal/journal_facts.hpp"
 #include "shared/machine/machine_state.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -119,13 +120,13 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
     put(JournalKind::job, "ended", sample.tick, std::move(facts));
 }
 
-void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
+void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, const Message& why,
                           std::uint64_t tick) {
     // The allowance comes first: a record that is left out costs nothing, least of all in a flood.
     if (!may_put(JournalKind::command)) return;
     JournalFacts facts = facts_of_command(received);
     facts.add("answer", std::string_view{kind == AnswerKind::done ? "done" : "refused"});
-    if (!reason.empty()) facts.add("reason", reason);
+    if (!why.is_none()) facts.add("reason", in_words(why)).add("message", name_of(why.id));
     const bool is_known = static_cast<std::uint32_t>(received.command.kind) < kCommandKindCount;
     put_always(JournalKind::command,
                is_known ? std::string{name_of(received.command.kind)} : std::string{"unknown"}, tick,
@@ -136,9 +137,9 @@ void Journal::note_job(const LoadedJob& job, std::uint64_t tick) {
     if (may_put(JournalKind::job)) put_always(JournalKind::job, "loaded", tick, facts_of_job(job));
 }
 
-void Journal::note_refused_job(const std::string& reason, std::uint64_t tick) {
+void Journal::note_refused_job(const Message& why, std::uint64_t tick) {
     JournalFacts facts;
-    facts.add("reason", reason);
+    facts.add("reason", in_words(why)).add("message", name_of(why.id));
     put(JournalKind::job, "refused", tick, std::move(facts));
 }
 

@@ -34,13 +34,13 @@ public:
 
     /// Call it for every report of the tick. `sample`: no older than it; `job`: the current one, or null.
     void note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job);
-    /// Call it before the sender gets the answer: afterwards the sender may be gone.
-    void note_answer(const ReceivedCommand& received, AnswerKind kind, const std::string& reason,
+    /// Before the sender is told: afterwards it may be gone.
+    void note_answer(const ReceivedCommand& received, AnswerKind kind, const Message& why,
                      std::uint64_t tick);
     /// A published job became the current one.
     void note_job(const LoadedJob& job, std::uint64_t tick);
-    void note_refused_job(const std::string& reason, std::uint64_t tick);
-    /// Call it every round.
+    void note_refused_job(const Message& why, std::uint64_t tick);
+    /// Every round.
     void note_round(const cycle::Sample& sample);
     /// The last call: nothing is written after it. Waits until all is written, but only as long as a
     /// SideThread does for a disk that hangs.

@@ -2,15 +2,16 @@
 #include "rtcore/supervisor/command_desk.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "rtcore/cycle/request_command.hpp"
 #include "rtcore/supervisor/motion_request.hpp"
-#include "rtcore/supervisor/refusal_text.hpp"
+#include "rtcore/supervisor/refusal_message.hpp"
 #include "shared/machine/jog_lease.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/record/saved_checkpoint.hpp"
 #include "shared/segment/checkpoint.hpp"
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::chrono::milliseconds kLookInterval{50};  ///< for slots of sender
 /// A start that is to resume names no layer: where the checkpoint says, if it is this job's.
 Result<Command> with_layer(const Command& command, Segment& segment, const LoadedJob* job) {
     if (command.kind != CommandKind::start || (command.axis & kStartResumes) == 0) return command;
-    if (job == nullptr) return Error{ErrorCode::machine_refused, "no job is published; publish one first"};
+    if (job == nullptr) return error_from(ErrorCode::machine_refused, message_of(MessageId::no_job));
     const auto layer =
         layer_to_resume(read_record(segment.header().checkpoint), job->checksum, job->view.layer_count());
     if (!layer) return layer.error();
@@ -59,9 +60,9 @@ void CommandDesk::take_commands(Segment& segment, cycle::RequestRing& requests, 
 }
 
 void CommandDesk::answer(Segment& segment, const ReceivedCommand& received, AnswerKind kind,
-                         const std::string& reason) const {
-    if (answer_taker_) answer_taker_(received, kind, reason);
-    answer_command(segment, received, kind, reason);
+                         const Message& message) const {
+    if (answer_taker_) answer_taker_(received, kind, message);
+    answer_command(segment, received, kind, message);
 }
 
 void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
@@ -70,59 +71,38 @@ void CommandDesk::take_one(Segment& segment, const ReceivedCommand& received, cy
     if (command.kind == CommandKind::shutdown) {
         const bool may_end = is_at_rest(sample.state) && sample.state != MachineState::held;
         shutdown_requested_ = shutdown_requested_ || may_end;
-        answer(segment, received, may_end ? AnswerKind::done : AnswerKind::refused,
-               may_end ? "" : "the machine is not at rest; stop first");
-        return;
+        if (may_end) return answer(segment, received, AnswerKind::done);
+        return refuse(segment, received, message_of(MessageId::not_at_rest));
     }
-    if (!refusal_for_all_.empty()) {
-        answer(segment, received, AnswerKind::refused, refusal_for_all_);
-        return;
-    }
+    if (!refusal_for_all_.is_none()) return refuse(segment, received, refusal_for_all_);
     if (command.kind == CommandKind::forget_piece) {
-        const std::string refusal = try_to_forget(segment, command, sample);
-        answer(segment, received, refusal.empty() ? AnswerKind::done : AnswerKind::refused, refusal);
-        return;
+        const Message refusal = try_to_forget(segment, command, sample);
+        return answer(segment, received, refusal.is_none() ? AnswerKind::done : AnswerKind::refused, refusal);
     }
     const bool leaves_alarm =
         command.kind == CommandKind::reset_alarm || command.kind == CommandKind::back_off;
-    if (leaves_alarm && !refusal_in_alarm_.empty()) {
-        answer(segment, received, AnswerKind::refused,
-               std::string{name_of(command.kind)} + ": " + refusal_in_alarm_);
-        return;
-    }
+    if (leaves_alarm && is_guard_lost_)
+        return refuse(segment, received, message_of(MessageId::guard_ended, argument_of(command.kind)));
     // Looked at once the command is ours: whoever sent it after a job finds that job, or is refused.
     const std::uint64_t published = published_generation(segment);
-    if (command.kind == CommandKind::start && published != 0 && published != seen_generation_) {
-        answer(segment, received, AnswerKind::refused,
-               "start: a published job is being looked at; start once it is accepted");
-        return;
-    }
+    if (command.kind == CommandKind::start && published != 0 && published != seen_generation_)
+        return refuse(segment, received, message_of(MessageId::job_looked_at));
     const auto kind = cycle::request_of(command.kind);
-    if (!kind) {
-        answer(segment, received, AnswerKind::refused, "unknown command; is the sender another version?");
-        return;
-    }
-    if (command.kind == CommandKind::back_off && command.axis >= kAxisCount) {
-        answer(segment, received, AnswerKind::refused, "back-off: no such axis; r1, r2 or y");
-        return;
-    }
+    if (!kind) return refuse(segment, received, message_of(MessageId::unknown_command));
+    if (command.kind == CommandKind::back_off && command.axis >= kAxisCount)
+        return refuse(segment, received, message_of(MessageId::no_such_sensor));
     const auto placed = with_layer(command, segment, job);
     auto request = placed ? motion_request(*placed, *kind, *profile_, is_virtual_clock_)
                           : Result<cycle::Request>{placed.error()};
-    if (!request) {
-        answer(segment, received, AnswerKind::refused, request.error().message);
-        return;
-    }
+    if (!request) return refuse(segment, received, request.error().said);
     request->sequence = ++last_sequence_;
     ear_->note_stops_seen(received, *request);
     requests.push(*request);
     waiting_.push_back({request->sequence, received, job != nullptr ? job->view.layer_count() : 0});
 }
 
-std::string CommandDesk::try_to_forget(Segment& segment, const Command& command,
-                                       const cycle::Sample& sample) {
-    if (!is_at_rest(sample.state) || runs_job(sample.state))
-        return "forget: the machine is not at rest; stop first";
+Message CommandDesk::try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample) {
+    if (!is_at_rest(sample.state) || runs_job(sample.state)) return message_of(MessageId::forget_not_at_rest);
     const RecordName record = record_to_forget(command, segment.name());
     if (record.job_checksum == 0) return {};  // of none: whether it may
     return piece_->forget(segment.header(), record);
@@ -145,7 +125,7 @@ void CommandDesk::deliver_answer(Segment& segment, const cycle::Report& report, 
     const Command& command = found->received.command;
     answer(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
            is_done ? speed_remark(command, *profile_)
-                   : refusal_text(report, command.kind, sample, *profile_, found->layer_count));
+                   : refusal_message(report, command.kind, sample, *profile_, found->layer_count));
     waiting_.erase(found);
 }
 

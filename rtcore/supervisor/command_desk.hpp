@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/job/loaded_job.hpp"
 #include "rtcore/supervisor/urgent_ear.hpp"
+#include "shared/message/message.hpp"
 #include "shared/profile/profile.hpp"
 #include "shared/segment/segment.hpp"
 
@@ -40,16 +40,16 @@ public:
     /// Whose it is.
     std::uint32_t jog_token() const noexcept { return jog_token_; }
 
-    /// While this is not empty, an alarm that would come again at once is not left: neither reset, nor by an
-    /// axis that backs off.
-    void keep_in_alarm(const std::string& reason) { refusal_in_alarm_ = reason; }
+    /// Without its guard the machine would be in alarm again at once: the alarm is not left, neither by a
+    /// reset, nor by an axis that backs off.
+    void keep_in_alarm(bool is_guard_lost) noexcept { is_guard_lost_ = is_guard_lost; }
     /// Of the published job that was accepted or refused last. While it is not the published one, a start is
     /// refused: which job it would carve is about to change.
     void note_seen(std::uint64_t generation) noexcept { seen_generation_ = generation; }
-    void refuse_all(const std::string& reason) { refusal_for_all_ = reason; }
+    void refuse_all(const Message& why) noexcept { refusal_for_all_ = why; }
 
     /// Is told of every answer just before its sender is.
-    using AnswerTaker = std::function<void(const ReceivedCommand&, AnswerKind, const std::string& reason)>;
+    using AnswerTaker = std::function<void(const ReceivedCommand&, AnswerKind, const Message&)>;
     void set_answer_taker(AnswerTaker taker) { answer_taker_ = std::move(taker); }
 
     /// Something is with the tick and not answered yet.
@@ -61,10 +61,13 @@ public:
 private:
     void take_one(Segment& segment, const ReceivedCommand& received, cycle::RequestRing& requests,
                   const cycle::Sample& sample, const LoadedJob* job);
-    /// Empty: it is done.
-    std::string try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample);
+    /// None: it is done.
+    Message try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample);
     void answer(Segment& segment, const ReceivedCommand& received, AnswerKind kind,
-                const std::string& reason) const;
+                const Message& message = {}) const;
+    void refuse(Segment& segment, const ReceivedCommand& received, const Message& why) const {
+        answer(segment, received, AnswerKind::refused, why);
+    }
     void note_lease(const Command& command) noexcept;
 
     const Profile* profile_;
@@ -83,8 +86,8 @@ private:
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
     AnswerTaker answer_taker_;
-    std::string refusal_for_all_;
-    std::string refusal_in_alarm_;
+    Message refusal_for_all_{};
+    bool is_guard_lost_ = false;
     std::uint64_t seen_generation_ = 0;
     bool shutdown_requested_ = false;
     bool has_more_ = false;

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <string>
 
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
 #include "shared/base/units.hpp"
 #include "shared/job/job.hpp"
 #include "shared/machine/jog_lease.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/machine/recorded_start.hpp"
 #include "shared/machine/recording.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -27,16 +27,21 @@ constexpr double kLeastTestRate_hz = 1.0;
 constexpr double kMostTestRate_hz = 500.0;
 constexpr std::uint64_t kMostTestPulses = 10'000;
 
-Error refused(const std::string& reason) {
-    return Error{ErrorCode::machine_refused, reason};
+Error refused(const Message& why) {
+    return error_from(ErrorCode::machine_refused, why);
 }
 
-Result<std::int64_t> pulses_of(double value, Axis axis, const Profile& profile, const char* what) {
+/// `too_far`: said where it is further than an axis goes.
+Result<std::int64_t> pulses_of(double value, Axis axis, const Profile& profile, const Message& too_far) {
     const double pulses = value * axis_motion(profile, axis).pulses_per_unit;
     if (std::isfinite(pulses) && std::fabs(pulses) <= static_cast<double>(cycle::kFurthestPulses)) {
         return round_to_pulse(pulses);
     }
-    return refused(std::string{what} + ": no axis goes so far (" + std::string{name_of(axis)} + ")");
+    return refused(too_far);
+}
+
+Message too_far(CommandKind command, Axis axis) {
+    return message_of(MessageId::too_far, argument_of(command), argument_of(axis));
 }
 
 void add_lease(Request& request, const Command& command, const Profile& profile, bool is_virtual_clock) {
@@ -50,9 +55,9 @@ void add_lease(Request& request, const Command& command, const Profile& profile,
 
 Result<void> add_jog(Request& request, const Command& command, const Profile& profile,
                      bool is_virtual_clock) {
-    if (command.axis > kBothHeads) return refused("jog: no such axis; r1, r2, psi, y or heads");
+    if (command.axis > kBothHeads) return refused(message_of(MessageId::no_jog_axis));
     if (!std::isfinite(command.speed) || command.speed < 0.0)
-        return refused("jog: the speed must be above 0");
+        return refused(message_of(MessageId::jog_speed_not_positive));
     const bool is_both = command.axis == kBothHeads;
     request.order.axes = static_cast<std::uint8_t>(is_both ? 0b11U : 1U << command.axis);
     request.order.speed_pps = std::numeric_limits<double>::infinity();
@@ -65,11 +70,12 @@ Result<void> add_jog(Request& request, const Command& command, const Profile& pr
         std::int64_t& target_pulses = request.order.target_pulses[index_of(axis)];
         target_pulses = command.value < 0.0 ? -1 : 1;
         if (request.kind != RequestKind::jog) continue;
-        const auto way = pulses_of(command.value, axis, profile, "jog");
+        const auto way = pulses_of(command.value, axis, profile, too_far(CommandKind::jog, axis));
         if (!way) return way.error();
         target_pulses = *way;
     }
-    if (command.lease_token == 0 || command.lease_ms == 0) return refused("jog: nobody holds its lease");
+    if (command.lease_token == 0 || command.lease_ms == 0)
+        return refused(message_of(MessageId::jog_unleased));
     add_lease(request, command, profile, is_virtual_clock);
     return {};
 }
@@ -77,16 +83,16 @@ Result<void> add_jog(Request& request, const Command& command, const Profile& pr
 /// An arc is one only where a millimetre is as many pulses on both axes.
 Result<void> add_centre(Request& request, const Command& command, const Profile& profile) {
     const bool is_first = (command.axis & 1U) != 0;
-    if (command.axis != 0b1001 && command.axis != 0b1010)
-        return refused("move: an arc takes r1 and y, or r2 and y");
+    if (command.axis != 0b1001 && command.axis != 0b1010) return refused(message_of(MessageId::arc_axes));
     const Axis head = is_first ? Axis::r1 : Axis::r2;
     const double scale = axis_motion(profile, head).pulses_per_unit;
     if (scale != profile.y.pulses_per_mm) {
-        return refused("move: no arc, " + std::string{name_of(head)} + " and y differ in pulses_per_mm");
+        return refused(message_of(MessageId::arc_scales_differ, argument_of(head)));
     }
     std::size_t i = 0;
     for (const Axis axis : {head, Axis::y}) {
-        const auto centre = pulses_of(command.centre[index_of(axis)], axis, profile, "move: the centre");
+        const auto centre = pulses_of(command.centre[index_of(axis)], axis, profile,
+                                      message_of(MessageId::centre_too_far, argument_of(axis)));
         if (!centre) return centre.error();
         request.order.centre_pulses[i++] = *centre;
     }
@@ -95,26 +101,26 @@ Result<void> add_centre(Request& request, const Command& command, const Profile&
 
 Result<void> add_shape(Request& request, const Command& command, const Profile& profile) {
     if (command.shape == MoveShape::straight) return {};
-    if (command.shape > MoveShape::clockwise)
-        return refused("move: unknown shape; is the sender another version?");
+    if (command.shape > MoveShape::clockwise) return refused(message_of(MessageId::unknown_shape));
     request.order.shape = static_cast<cycle::OrderShape>(command.shape);
     if (command.shape != MoveShape::stepped) return add_centre(request, command, profile);
     const bool has_psi = (command.axis >> index_of(Axis::psi) & 1U) != 0;
     if (has_psi || std::popcount(command.axis) > 2) {
-        return refused("move: point by point takes one or two of r1, r2 and y");
+        return refused(message_of(MessageId::stepped_axes));
     }
     return {};
 }
 
 Result<void> add_move(Request& request, const Command& command, const Profile& profile) {
-    if (command.axis == 0 || (command.axis >> kAxisCount) != 0) return refused("move: no axis to move");
+    if (command.axis == 0 || (command.axis >> kAxisCount) != 0)
+        return refused(message_of(MessageId::no_move_axis));
     request.order.axes = static_cast<std::uint8_t>(command.axis);
     request.order.drops_turns = 1;
     if (const auto shaped = add_shape(request, command, profile); !shaped) return shaped;
     for (const Axis axis : kAllAxes) {
         const std::size_t k = index_of(axis);
         if ((command.axis >> k & 1U) == 0) continue;
-        const auto target = pulses_of(command.target[k], axis, profile, "move");
+        const auto target = pulses_of(command.target[k], axis, profile, too_far(CommandKind::move, axis));
         if (!target) return target.error();
         request.order.target_pulses[k] = *target;
     }
@@ -130,8 +136,8 @@ Result<void> add_layers(Request& request, const Command& command) {
     const bool is_layer = command.value >= 0.0 && command.value < kMaxJobCount;
     const std::uint32_t first = is_layer ? static_cast<std::uint32_t>(command.value) : 0;
     if (!is_layer || static_cast<double>(first) != command.value)
-        return refused("start: layers are counted from 0, in whole numbers");
-    if (command.value2 > kMaxJobCount) return refused("start: the job has no such layer; the first is 0");
+        return refused(message_of(MessageId::layers_not_whole));
+    if (command.value2 > kMaxJobCount) return refused(message_of(MessageId::no_such_first_layer));
     request.value = cycle::packed(cycle::LayerRange{first, static_cast<std::uint32_t>(command.value2),
                                                     (command.axis & kStartsDry) != 0});
     return {};
@@ -139,8 +145,7 @@ Result<void> add_layers(Request& request, const Command& command) {
 
 Result<void> add_recording(Request& request, const Command& command) {
     const bool is_known = command.value >= 0.0 && command.value < kRecordingFormCount;
-    if (!is_known || command.lease_token == 0)
-        return refused("record: no such form, or nobody to record for");
+    if (!is_known || command.lease_token == 0) return refused(message_of(MessageId::no_recording_form));
     request.value = static_cast<std::uint64_t>(command.value);
     request.lease_token = command.lease_token;
     return {};
@@ -148,19 +153,21 @@ Result<void> add_recording(Request& request, const Command& command) {
 
 Result<void> add_pin_trial(Request& request, const Command& command, const Profile& profile,
                            bool is_virtual_clock) {
-    if (command.axis >= kOutputSignalCount) return refused("pins: no such output");
-    const std::string name{name_of(static_cast<Signal>(command.axis))};
-    if (profile.port.pins[command.axis] == 0) return refused("pins: " + name + " is not wired to any pin");
+    if (command.axis >= kOutputSignalCount) return refused(message_of(MessageId::no_such_output));
+    if (profile.port.pins[command.axis] == 0) {
+        const auto signal = static_cast<Signal>(command.axis);
+        return refused(message_of(MessageId::output_not_wired, argument_of(signal)));
+    }
     const bool is_end = command.value == 0.0;
     if (command.lease_token == 0 || (command.lease_ms == 0 && !is_end))
-        return refused("pins: nobody holds its lease");
+        return refused(message_of(MessageId::pins_unleased));
     cycle::PinOrder order;
     order.signal = static_cast<std::uint8_t>(command.axis);
     order.is_on = !is_end;
     if (command.value2 != 0) {
         const bool is_rate = command.speed >= kLeastTestRate_hz && command.speed <= kMostTestRate_hz;
         if (!is_rate || command.value2 > kMostTestPulses)
-            return refused("pins: 1 to 10000 pulses, 1 to 500 in a second");
+            return refused(message_of(MessageId::pins_pulse_bounds));
         order.pulses = static_cast<std::uint32_t>(command.value2);
         order.half_ms = static_cast<std::uint32_t>(kMsPerSecond / 2.0 / command.speed);
     }
@@ -205,7 +212,7 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
     return request;
 }
 
-std::string speed_remark(const Command& command, const Profile& profile) {
+Message speed_remark(const Command& command, const Profile& profile) {
     if (command.kind != CommandKind::jog && command.kind != CommandKind::jog_on) return {};
     const bool is_both = command.axis == kBothHeads;
     for (const Axis axis : kAllAxes) {
@@ -216,10 +223,9 @@ std::string speed_remark(const Command& command, const Profile& profile) {
         constexpr double kRounding = 1e-9;
         if (command.speed * motion.pulses_per_unit <= motion.speed_pps * (1.0 + kRounding)) continue;
         const double most = motion.speed_pps / motion.pulses_per_unit;
-        char text[96];
-        std::snprintf(text, sizeof text, "%s goes at %g %s at most, and so it does",
-                      std::string{name_of(axis)}.c_str(), most, axis == Axis::psi ? "deg/s" : "mm/s");
-        return text;
+        if (axis == Axis::psi)
+            return message_of(MessageId::speed_limited_turning, argument_of(axis), deg_s_argument(most));
+        return message_of(MessageId::speed_limited, argument_of(axis), mm_s_argument(most));
     }
     return {};
 }

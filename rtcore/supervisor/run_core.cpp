@@ -210,7 +210,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
                           .missing_sensors_mask = missing_sensors(profile)};
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
-    if (replay && replay->script) supervisor.refuse_commands("a recorded run is being replayed");
+    if (replay && replay->script) supervisor.refuse_commands(message_of(MessageId::replaying));
     if (facts.is_virtual_clock && !replay) supervisor.load_left_job();
     supervisor.segment().sign_core();
     const int exit_code = run_loop(**parts, supervisor, replay, end, treatment ? &*treatment : nullptr);

@@ -2,10 +2,12 @@
 #include "rtcore/supervisor/supervisor.hpp"
 
 #include <optional>
+#include <vector>
 
 #include "rtcore/realtime/clock.hpp"
 #include "shared/base/shared_text.hpp"
 #include "shared/computer/event.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/machine/recording.hpp"
 #include "shared/segment/shared_record.hpp"
 
@@ -71,10 +73,9 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
         recording_.put(segment_->header(), token, bytes, std::chrono::steady_clock::now());
     });
-    desk_.set_answer_taker(
-        [this](const ReceivedCommand& received, AnswerKind kind, const std::string& reason) {
-            journal_.note_answer(received, kind, reason, sample_.tick);
-        });
+    desk_.set_answer_taker([this](const ReceivedCommand& received, AnswerKind kind, const Message& message) {
+        journal_.note_answer(received, kind, message, sample_.tick);
+    });
     publish_status();
 }
 
@@ -177,12 +178,11 @@ void Supervisor::judge_job(JobLoader::Outcome outcome) {
     if (outcome.is_published) judged_generation_ = outcome.generation;
     if (!may_load_job(sample_.state)) {
         outcome.job = nullptr;
-        outcome.refusal =
-            "a job runs (" + std::string{name_of(sample_.state)} + "); stop it or wait for its end";
+        outcome.refusal = message_of(MessageId::job_runs, argument_of(sample_.state));
     }
     if (outcome.job == nullptr) {
         journal_.note_refused_job(outcome.refusal, sample_.tick);
-        acknowledge_job(*segment_, outcome.generation, false, outcome.refusal);
+        acknowledge_job(*segment_, outcome.generation, false, {outcome.refusal});
     } else {
         offer_job(std::move(outcome.job));
     }
@@ -210,12 +210,14 @@ void Supervisor::hand_out(const std::shared_ptr<const LoadedJob>& job) {
 void Supervisor::finish_job(const cycle::Report& report) {
     const bool accepted = report.refusal == cycle::Refusal::none;
     const std::uint64_t generation = loading_job_->generation;
-    std::string remark = accepted ? loading_job_->remark : "the machine is busy; try again";
+    std::vector<Message> said;
+    if (!accepted) said.push_back(message_of(MessageId::busy_for_a_job));
     if (accepted) {
         job_ = std::move(loading_job_);
         journal_.note_job(*job_, sample_.tick);
-        const std::string more = piece_.take_job(segment_->header(), job_);
-        if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
+        if (!job_->remark.is_none()) said.push_back(job_->remark);
+        const std::vector<Message> of_piece = piece_.take_job(segment_->header(), job_);
+        said.insert(said.end(), of_piece.begin(), of_piece.end());
         if (parts_->estimator != nullptr)
             parts_->estimator->begin(std::shared_ptr<const JobView>{job_, &job_->view});
     } else if (job_ != nullptr) {
@@ -225,7 +227,7 @@ void Supervisor::finish_job(const cycle::Report& report) {
     // Whoever reads it once the job is acknowledged must not find the times of the job before.
     publish_status();
     // The segment that it came from is gone: nobody in the new one asked.
-    if (!is_offer_stale_) acknowledge_job(*segment_, generation, accepted, remark);
+    if (!is_offer_stale_) acknowledge_job(*segment_, generation, accepted, said);
 }
 
 cycle::Sample Supervisor::read_sample() const {
@@ -316,7 +318,7 @@ void Supervisor::watch_guard() {
     if (parts_->guard == nullptr) return;
     // For ever: without it nothing moves any more, whoever resets the alarm.
     const bool is_lost = parts_->guard->is_guard_lost(std::chrono::steady_clock::now());
-    desk_.keep_in_alarm(is_lost ? "the guard process ended; start the core again" : "");
+    desk_.keep_in_alarm(is_lost);
     if (sample_.state == MachineState::alarm) {
         is_guard_lost_told_ = false;
     } else if (is_lost && !is_guard_lost_told_) {

@@ -74,7 +74,7 @@ public:
         is_machine_frozen_ = true;
     }
     /// From here on every command is refused with this reason, but for shutdown.
-    void refuse_commands(const std::string& reason) { desk_.refuse_all(reason); }
+    void refuse_commands(const Message& why) noexcept { desk_.refuse_all(why); }
 
     /// On the virtual clock: time stands still until whoever has the pins recorded has read more, or is gone.
     bool must_wait_for_reader() const noexcept {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "shared/message/message.hpp"
+
 namespace psicarve {
 
 /// Why something failed. Programs map these to the exit codes of the command line.
@@ -23,6 +25,7 @@ enum class ErrorCode {
 struct Error {
     ErrorCode code = ErrorCode::bad_input;
     std::string message;
+    Message said{};  ///< the same as data, where it is (error_from in shared/wording)
 };
 
 /// Either a value or the error that kept it from being made. Not for the tick (its errors own strings).

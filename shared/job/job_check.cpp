@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "shared/base/decimals.hpp"
 #include "shared/base/units.hpp"
 #include "shared/job/job.hpp"
+#include "shared/machine/message_argument.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve {
 namespace {
@@ -20,9 +21,6 @@ struct HeadLimits {
     double real_mm(std::int64_t counted) const {
         return mm_from_pulses(counted, pulses_per_mm) + tip_offset_mm;
     }
-    std::string text(std::int64_t counted) const {
-        return mm_text(real_mm(counted), 4) + " (" + std::to_string(counted) + " pulses)";
-    }
     bool allows(std::int64_t counted) const noexcept { return counted >= least && counted <= most; }
 };
 
@@ -34,20 +32,21 @@ HeadLimits limits_of(const Profile& profile, Axis axis) {
             core, motion.travel_max_pulses};
 }
 
-std::string place(std::uint32_t layer, std::size_t point) {
-    return "layer " + std::to_string(layer) + ", point " + std::to_string(point) + ": ";
+Error problem(const Message& message) {
+    return error_from(ErrorCode::bad_input, message);
 }
 
-std::string radius_problem(const HeadLimits& head, std::int64_t counted) {
-    const std::string radius = "the radius of " + std::string(name_of(head.axis)) + ", " + head.text(counted);
-    if (counted < head.core) {
-        return radius + ", is inside the core radius of " + head.text(head.core) +
-               "; carve less deep, or lower core_radius_mm";
-    }
-    const bool low = counted < head.least;
-    return radius + ", is " + (low ? "below" : "above") + " the travel, which ends at " +
-           head.text(low ? head.least : head.most) + "; make the model smaller or widen axis." +
-           std::string(name_of(head.axis)) + ".travel_mm";
+Error radius_problem(std::uint32_t layer, std::size_t point, const HeadLimits& head, std::int64_t counted) {
+    const auto beyond = [&](Message message, std::int64_t limit) {
+        for (const Argument& one : {layer_argument(layer), point_argument(point), argument_of(head.axis),
+                                    mm_argument(head.real_mm(counted)), pulses_argument(counted),
+                                    mm_argument(head.real_mm(limit)), pulses_argument(limit)})
+            message.arguments[message.argument_count++] = one;
+        return problem(message);
+    };
+    if (counted < head.core) return beyond(message_of(MessageId::radius_inside_core), head.core);
+    if (counted < head.least) return beyond(message_of(MessageId::radius_below_travel), head.least);
+    return beyond(message_of(MessageId::radius_above_travel), head.most);
 }
 
 /// Both heads' radii of a layer against the limits and against each other.
@@ -72,11 +71,9 @@ public:
     Error first_problem(std::uint32_t layer, std::span<const std::int32_t> left,
                         std::span<const std::int32_t> right) const {
         for (std::size_t i = 0; i < left.size(); ++i) {
-            if (!left_.allows(left[i])) return bad_input(place(layer, i) + radius_problem(left_, left[i]));
-            if (!right_.allows(right[i]))
-                return bad_input(place(layer, i) + radius_problem(right_, right[i]));
-            if (!are_apart(left[i], right[i]))
-                return bad_input(place(layer, i) + apart_problem(left[i], right[i]));
+            if (!left_.allows(left[i])) return radius_problem(layer, i, left_, left[i]);
+            if (!right_.allows(right[i])) return radius_problem(layer, i, right_, right[i]);
+            if (!are_apart(left[i], right[i])) return apart_problem(layer, i, left[i], right[i]);
         }
         return bad_input("job: layer " + std::to_string(layer) + " is wrong");
     }
@@ -102,11 +99,12 @@ private:
     bool are_apart(std::int32_t left, std::int32_t right) const noexcept {
         return static_cast<double>(left) * left_mm_ + static_cast<double>(right) * right_mm_ >= least_sum_mm_;
     }
-    std::string apart_problem(std::int32_t left, std::int32_t right) const {
-        return "the tips of r1 at " + left_.text(left) + " and r2 at " + right_.text(right) + " are " +
-               mm_text(left_.real_mm(left) + right_.real_mm(right), 4) +
-               " apart, closer than head_clearance_mm = " + mm_text(clearance_mm_, 4) +
-               "; raise core_radius_mm and slice again";
+    Error apart_problem(std::uint32_t layer, std::size_t point, std::int32_t left, std::int32_t right) const {
+        return problem(message_of(MessageId::tips_too_close, layer_argument(layer), point_argument(point),
+                                  mm_argument(left_.real_mm(left)), pulses_argument(left),
+                                  mm_argument(right_.real_mm(right)), pulses_argument(right),
+                                  mm_argument(left_.real_mm(left) + right_.real_mm(right)),
+                                  mm_argument(clearance_mm_)));
     }
 
     HeadLimits left_;
@@ -120,51 +118,49 @@ private:
 Result<void> check_turning(const JobView& job, const Profile& profile) {
     const std::int64_t half_turn = profile.psi.pulses_per_rev / 2;
     if (job.psi_sweep_pulses() != half_turn) {
-        return bad_input("job: a layer sweeps " + std::to_string(job.psi_sweep_pulses()) +
-                         " pulses of psi, half a revolution of this machine is " + std::to_string(half_turn) +
-                         "; slice the model for this machine's profile");
+        return problem(message_of(MessageId::sweep_of_other_machine, pulses_argument(job.psi_sweep_pulses()),
+                                  pulses_argument(half_turn)));
     }
     if (std::int64_t{job.point_count()} - 1 > half_turn) {
-        return bad_input("job: " + std::to_string(job.point_count()) + " points in a layer of " +
-                         std::to_string(half_turn) + " pulses of psi; slice with at most " +
-                         std::to_string(half_turn + 1) + " points");
+        return problem(message_of(MessageId::more_points_than_pulses, count_argument(job.point_count()),
+                                  pulses_argument(half_turn),
+                                  count_argument(static_cast<std::uint64_t>(half_turn + 1))));
     }
     for (const Axis axis : kAllAxes) {
         const int own = axis_motion(profile, axis).positive_is_high ? 1 : -1;
         if (job.header().direction_sign[index_of(axis)] == own) continue;
-        return bad_input("job: its direction of axis " + std::string(name_of(axis)) +
-                         " is the other way round on this machine (axis." + std::string(name_of(axis)) +
-                         ".positive); slice the model for this machine's profile");
+        return problem(message_of(MessageId::direction_reversed, argument_of(axis)));
     }
     return {};
 }
 
 Result<void> check_heights(const JobView& job, const Profile& profile) {
     const AxisMotion y = axis_motion(profile, Axis::y);
-    const auto text = [&](std::int64_t height) {
-        return mm_text(mm_from_pulses(height, y.pulses_per_unit), 4) + " (" + std::to_string(height) +
-               " pulses)";
+    const auto mm_of = [&](std::int64_t height) {
+        return mm_argument(mm_from_pulses(height, y.pulses_per_unit));
     };
+    const Argument first_point = point_argument(0);
     const auto heights = job.layer_heights_pulses();
     for (std::uint32_t layer = 0; layer < job.layer_count(); ++layer) {
         const std::int64_t height = heights[layer];
         if (height < y.travel_min_pulses || height > y.travel_max_pulses) {
-            return bad_input(place(layer, 0) + "the height of " + text(height) +
-                             " lies outside the travel of y, " + text(y.travel_min_pulses) + " to " +
-                             text(y.travel_max_pulses) +
-                             "; make the model smaller, or change job.base_height_mm");
+            return problem(message_of(MessageId::height_outside_travel, layer_argument(layer), first_point,
+                                      mm_of(height), pulses_argument(height), mm_of(y.travel_min_pulses),
+                                      pulses_argument(y.travel_min_pulses), mm_of(y.travel_max_pulses),
+                                      pulses_argument(y.travel_max_pulses)));
         }
         if (job.begins_pass(layer)) continue;
+        const std::int64_t below = heights[layer - 1];
         if (job.joining() == Joining::spiral && layer + 1 == job.layer_count()) {
-            if (height == heights[layer - 1]) continue;
-            return bad_input(place(layer, 0) + "the height of " + text(height) +
-                             " is not that of the layer below, " + text(heights[layer - 1]) +
-                             ", as it must be in the ring that closes a spiral; slice the model again");
+            if (height == below) continue;
+            return problem(message_of(MessageId::ring_not_closed, layer_argument(layer), first_point,
+                                      mm_of(height), pulses_argument(height), mm_of(below),
+                                      pulses_argument(below)));
         }
-        if (height <= heights[layer - 1]) {
-            return bad_input(place(layer, 0) + "the height of " + text(height) +
-                             " does not lie above the layer below, " + text(heights[layer - 1]) +
-                             "; use fewer layers, so that each is at least a pulse higher");
+        if (height <= below) {
+            return problem(message_of(MessageId::layer_not_higher, layer_argument(layer), first_point,
+                                      mm_of(height), pulses_argument(height), mm_of(below),
+                                      pulses_argument(below)));
         }
     }
     return {};
@@ -179,10 +175,8 @@ Result<void> check_joint(const JobView& job, std::uint32_t layer) {
         const std::int32_t end = row(layer - 1).back();
         const std::int32_t begin = row(layer).front();
         if (begin == end) continue;
-        return bad_input(place(layer, 0) + "the radius of " + std::string(name_of(head)) + ", " +
-                         std::to_string(begin) + " pulses, is not the " + std::to_string(end) +
-                         " pulses in which the layer below ends: a spiral has no links; slice the model "
-                         "again");
+        return problem(message_of(MessageId::spiral_not_joined, layer_argument(layer), point_argument(0),
+                                  argument_of(head), pulses_argument(begin), pulses_argument(end)));
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "shared/machine/signal.hpp"
+#include "shared/message/message.hpp"
 
 namespace psicarve {
 
@@ -76,8 +77,8 @@ enum class AnswerKind : std::uint32_t { none = 0, done = 1, refused = 2 };
 struct Answer {
     AnswerKind kind;
     std::uint32_t reserved;
-    char reason[112];  ///< zero-terminated; why refused and what to do, or what to know of what is done
+    Message message;  ///< why refused, or what to know of what is done; mostly none
 };
-static_assert(sizeof(Answer) == 120 && std::is_trivially_copyable_v<Answer>, "bump kLayoutVersion");
+static_assert(sizeof(Answer) == 400 && std::is_trivially_copyable_v<Answer>, "bump kLayoutVersion");
 
 }  // namespace psicarve

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/base/decimals.hpp"
 #include "shared/base/units.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/profile/profile.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve {
 namespace {
@@ -52,17 +53,24 @@ std::optional<BlankDifference> blank_difference(const BlankProfile& job, const B
     return std::nullopt;
 }
 
-std::string blank_difference_text(const BlankDifference& difference) {
-    const std::string advice = difference.is_in_the_way
-                                   ? "; what is larger is in the heads' way: mount the job's, or slice again"
-                                   : "; with what is smaller a part of the job is air";
-    if (difference.in == BlankDifference::In::place) {
-        return "the job was made for a blank that stands " + mm_text(difference.machine_mm) +
-               " beside the one that the machine's profile tells of" + advice;
+Message blank_difference_message(const BlankDifference& difference) noexcept {
+    using In = BlankDifference::In;
+    const Argument job = mm_argument(difference.job_mm);
+    const Argument machine = mm_argument(difference.machine_mm);
+    if (difference.in == In::place) {
+        return difference.is_in_the_way ? message_of(MessageId::blank_beside_in_the_way, machine)
+                                        : message_of(MessageId::blank_beside, machine);
     }
-    const std::string what = difference.in == BlankDifference::In::radius ? " radius" : " height";
-    return "the job was made for a blank of " + mm_text(difference.job_mm) + what +
-           ", the machine's profile tells of " + mm_text(difference.machine_mm) + advice;
+    if (difference.in == In::radius) {
+        return difference.is_in_the_way ? message_of(MessageId::blank_radius_in_the_way, job, machine)
+                                        : message_of(MessageId::blank_radius_differs, job, machine);
+    }
+    return difference.is_in_the_way ? message_of(MessageId::blank_height_in_the_way, job, machine)
+                                    : message_of(MessageId::blank_height_differs, job, machine);
+}
+
+std::string blank_difference_text(const BlankDifference& difference) {
+    return in_words(blank_difference_message(difference));
 }
 
 Result<void> check_heads_clear(const BlankProfile& blank, const Profile& machine) {
@@ -71,9 +79,9 @@ Result<void> check_heads_clear(const BlankProfile& blank, const Profile& machine
         const double most_mm =
             mm_from_pulses(axis_motion(machine, axis).travel_max_pulses, head.pulses_per_mm) + head.tip_mm();
         if (blank.reach_mm() <= most_mm + kSameBlank_mm) continue;
-        return bad_input("the blank reaches out to " + mm_text(blank.reach_mm()) + ", but head " +
-                         std::string{name_of(axis)} + " only to " + mm_text(most_mm) +
-                         ": it would stand in the blank before the carving begins; take a smaller blank");
+        return error_from(ErrorCode::bad_input,
+                          message_of(MessageId::blank_too_wide, mm_argument(blank.reach_mm()),
+                                     argument_of(axis), mm_argument(most_mm)));
     }
     return {};
 }

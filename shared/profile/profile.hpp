@@ -129,6 +129,7 @@ struct BlankDifference {
 /// Nothing: the blanks are the same, or one of them is not known.
 std::optional<BlankDifference> blank_difference(const BlankProfile& job, const BlankProfile& machine);
 /// "the job was made for a blank of 9.00 mm radius, ..."
+Message blank_difference_message(const BlankDifference& difference) noexcept;
 std::string blank_difference_text(const BlankDifference& difference);
 
 /// Passes before the finishing pass.

@@ -5,7 +5,8 @@
 
 #include <cstddef>
 #include <cstring>
-#include <string>
+
+#include "shared/wording/wording.hpp"
 
 namespace psicarve {
 namespace {
@@ -14,8 +15,8 @@ std::uint64_t check_of(const Checkpoint& checkpoint) noexcept {
     return XXH3_64bits(&checkpoint, offsetof(Checkpoint, check));
 }
 
-Error refused(const std::string& reason) {
-    return Error{ErrorCode::machine_refused, "start: " + reason};
+Error refused(const Message& why) {
+    return error_from(ErrorCode::machine_refused, why);
 }
 
 }  // namespace
@@ -57,19 +58,17 @@ bool is_same_place(const Checkpoint& one, const Checkpoint& other) noexcept {
 
 Result<std::uint32_t> layer_to_resume(const std::optional<Checkpoint>& copied, std::uint64_t job_checksum,
                                       std::uint32_t layer_count) {
-    if (copied && copied->is_empty()) return refused("nothing was carved yet; there is nothing to resume");
-    if (!copied || !is_checkpoint(*copied))
-        return refused("the checkpoint is damaged; look at the piece and give the layer yourself");
+    if (copied && copied->is_empty()) return refused(message_of(MessageId::nothing_carved));
+    if (!copied || !is_checkpoint(*copied)) return refused(message_of(MessageId::checkpoint_damaged));
     if (copied->job_checksum != job_checksum || copied->layer_count != layer_count)
-        return refused("the checkpoint is of another job; publish that one, or give the layer yourself");
+        return refused(message_of(MessageId::checkpoint_of_other_job));
+    if (copied->next_layer == 0 && copied->earlier_layer == 0)
+        return refused(message_of(MessageId::no_layer_finished));
     if (copied->next_layer == 0) {
-        const std::string earlier = std::to_string(copied->earlier_layer);
         return refused(
-            "no layer was finished; start from the beginning" +
-            (copied->earlier_layer == 0 ? "" : ", or --from-layer " + earlier + " for the piece of before"));
+            message_of(MessageId::no_layer_finished_but_earlier, layer_argument(copied->earlier_layer)));
     }
-    if (copied->next_layer == layer_count)
-        return refused("the job is carved to its end; there is nothing to resume");
+    if (copied->next_layer == layer_count) return refused(message_of(MessageId::carved_to_its_end));
     return copied->next_layer;
 }
 

@@ -21,7 +21,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 11;
+inline constexpr std::uint32_t kLayoutVersion = 12;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read. Before
 /// 10 is_dry had 16 bits: its high byte, always 0, is now is_left_forecast.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;
@@ -35,7 +35,7 @@ inline constexpr std::size_t kCommandSlots = 64;
 inline constexpr std::size_t kIncrementRingEntries = 65536;
 inline constexpr std::size_t kFlightRecords = 8192;
 inline constexpr std::size_t kRecordingPieces = 8192;
-inline constexpr std::size_t kReasonBytes = 256;
+inline constexpr std::size_t kVerdictMessages = 3;
 
 using AtomicWord32 = std::atomic<std::uint32_t>;
 using AtomicWord64 = std::atomic<std::uint64_t>;
@@ -70,10 +70,10 @@ struct Publication {
 struct JobVerdict {
     std::uint64_t generation;  ///< newest generation it has judged; 0: none
     std::uint32_t accepted;    ///< 1 accepted, 2 refused
-    std::uint32_t reserved;
-    char reason[kReasonBytes];  ///< zero-terminated; why refused and what to do, or what of an accepted one
-                                ///< is to be known
+    std::uint32_t said_count;
+    Message said[kVerdictMessages];  ///< why it is refused, or what of an accepted one is to be known
 };
+static_assert(sizeof(JobVerdict) == 1192 && std::is_trivially_copyable_v<JobVerdict>, "bump kLayoutVersion");
 
 /// Life of a command slot: free -> writing (a sender claimed it) -> pending -> taken (core) -> answered ->
 /// free (sender). A sender that gives up frees a pending slot and leaves a taken one `abandoned`: the core

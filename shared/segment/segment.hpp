@@ -145,7 +145,7 @@ Result<PublishedJob> copy_current_job(Segment& segment, std::chrono::millisecond
 /// Sends one command and waits for its answer: done, or the core's reason (machine_refused); no_core when
 /// none serves. `remark`: what the core adds to "done", mostly nothing.
 Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit,
-                          std::string* remark = nullptr);
+                          Message* remark = nullptr);
 void request_stop(Segment& segment) noexcept;
 void request_emergency_stop(Segment& segment) noexcept;
 
@@ -162,10 +162,11 @@ std::uint64_t published_generation(const Segment& segment) noexcept;
 bool is_published(const Segment& segment, std::uint64_t generation) noexcept;
 /// Checksum of the published job's blob, as its publisher said; nothing: there is none.
 std::optional<std::uint64_t> published_checksum(const Segment& segment) noexcept;
-/// The core's remark on the published job that it has accepted; mostly empty.
-std::string job_remark(const Segment& segment);
-/// `reason`: why the job is refused, or the remark on an accepted one.
-void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason);
+/// What the core wants to be known of the published job that it has accepted; mostly nothing.
+std::vector<Message> job_remarks(const Segment& segment);
+/// `said`: why it is refused, or what of an accepted one is to be known; at most kVerdictMessages.
+void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted,
+                     const std::vector<Message>& said = {});
 
 /// The segment's words of stop and emergency stop, as read at one time.
 struct StopsSeen {
@@ -188,6 +189,6 @@ enum class SenderLook : std::uint8_t { asks, trusts };
 /// died. Nothing in it is checked: kind, axis and values may be anything.
 std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look = SenderLook::asks);
 void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,
-                    const std::string& reason);
+                    const Message& message = {});
 
 }  // namespace psicarve

@@ -7,12 +7,13 @@
 #include <string>
 #include <utility>
 
-#include "shared/base/shared_text.hpp"
+#include "shared/base/message_text.hpp"
 #include "shared/computer/event.hpp"
 #include "shared/computer/process_identity.hpp"
 #include "shared/machine/jog_lease.hpp"
 #include "shared/segment/segment.hpp"
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve {
 namespace {
@@ -54,11 +55,8 @@ bool free_slot(CommandSlot& slot, std::uint64_t from) noexcept {
     return move_slot(slot, from, kFreeSlot);
 }
 
-Answer make_answer(AnswerKind kind, const std::string& reason) noexcept {
-    Answer answer{};
-    answer.kind = kind;
-    text_into_field(answer.reason, reason);
-    return answer;
+Answer make_answer(AnswerKind kind, const Message& message) noexcept {
+    return {.kind = kind, .reserved = 0, .message = message};
 }
 
 // --- sender ------------------------------------------------------------------------------------------------
@@ -81,13 +79,12 @@ void post(SegmentHeader& header, CommandSlot& slot, const Command& command, std:
     slot.sender_start_time.store(process_start_time(pid), std::memory_order_relaxed);
 }
 
-Result<std::string> read_answer(CommandSlot& slot, std::uint32_t pid) {
+Result<Message> read_answer(CommandSlot& slot, std::uint32_t pid) {
     const Answer answer = load_words<Answer>(slot.answer);
     free_slot(slot, pack(SlotState::answered, pid));
-    const std::string reason = text_from_field(answer.reason);
-    if (answer.kind == AnswerKind::done) return reason;
-    return Error{ErrorCode::machine_refused,
-                 reason.empty() ? "the core refused it without a reason" : reason};
+    if (answer.kind == AnswerKind::done) return answer.message;
+    return error_from(ErrorCode::machine_refused,
+                      answer.message.is_none() ? message_of(MessageId::no_reason) : answer.message);
 }
 
 /// Leaves a slot whose answer is no longer wanted. False: it was answered meanwhile.
@@ -97,8 +94,8 @@ bool give_up(CommandSlot& slot, std::uint32_t pid) noexcept {
            slot.state_and_sender.load() != pack(SlotState::answered, pid);
 }
 
-Result<std::string> wait_for_answer(Segment& segment, CommandSlot& slot, std::uint32_t pid,
-                                    std::chrono::milliseconds limit) {
+Result<Message> wait_for_answer(Segment& segment, CommandSlot& slot, std::uint32_t pid,
+                                std::chrono::milliseconds limit) {
     SegmentHeader& header = segment.header();
     const Clock::time_point deadline = Clock::now() + limit;
     for (;;) {
@@ -110,9 +107,10 @@ Result<std::string> wait_for_answer(Segment& segment, CommandSlot& slot, std::ui
         const bool has_core = segment.core_pid().has_value();
         if (!has_core || left.count() <= 0) {
             if (!give_up(slot, pid)) return read_answer(slot, pid);
-            if (!has_core) return Error{ErrorCode::no_core, "the core ended before it answered"};
-            return Error{ErrorCode::timed_out,
-                         "the core did not answer within " + std::to_string(limit.count()) + " ms"};
+            if (!has_core) return error_from(ErrorCode::no_core, message_of(MessageId::core_ended));
+            const auto limit_ms = static_cast<std::uint64_t>(std::max<std::int64_t>(limit.count(), 0));
+            return error_from(ErrorCode::timed_out,
+                              message_of(MessageId::no_answer_in_time, ms_argument(limit_ms)));
         }
         event_wait_past(header.status_changed, seen, std::min(left, kVerdictCheckInterval));
     }
@@ -149,22 +147,22 @@ void finish(CommandSlot& slot, std::uint32_t sender_pid, const Answer& answer) n
 }  // namespace
 
 Result<void> send_command(Segment& segment, const Command& command, std::chrono::milliseconds limit,
-                          std::string* remark) {
+                          Message* remark) {
     const std::uint32_t pid = own_pid();
     CommandSlot* const slot = claim_slot(segment.header(), pid);
     if (slot == nullptr) {
-        return Error{ErrorCode::timed_out, "all " + std::to_string(kCommandSlots) +
-                                               " command slots are in use: wait for the others' commands"};
+        return error_from(ErrorCode::timed_out,
+                          message_of(MessageId::slots_in_use, count_argument(kCommandSlots)));
     }
     post(segment.header(), *slot, command, pid);
     // Not before: the look takes longer than the core's answer.
     if (!segment.core_pid() && free_slot(*slot, pack(SlotState::pending, pid))) {
-        return Error{ErrorCode::no_core,
-                     "no core serves segment " + segment.name() + ": start psicarve-rtcore"};
+        return error_from(ErrorCode::no_core,
+                          with_text(message_of(MessageId::no_core_for_command), segment.name()));
     }
     auto answer = wait_for_answer(segment, *slot, pid, limit);
     if (!answer) return answer.error();
-    if (remark != nullptr) *remark = std::move(answer).value();
+    if (remark != nullptr) *remark = *answer;
     return {};
 }
 
@@ -205,15 +203,15 @@ std::optional<ReceivedCommand> take_command(Segment& segment, SenderLook look) {
 }
 
 void answer_command(Segment& segment, const ReceivedCommand& command, AnswerKind kind,
-                    const std::string& reason) {
+                    const Message& message) {
     if (command.slot >= kCommandSlots) return;
     CommandSlot& slot = segment.header().commands[command.slot];
-    finish(slot, command.sender_pid, make_answer(kind, reason));
+    finish(slot, command.sender_pid, make_answer(kind, message));
     event_signal(segment.header().status_changed);
 }
 
 void clear_commands_of_dead_core(SegmentHeader& header) noexcept {
-    const Answer answer = make_answer(AnswerKind::refused, "the core was replaced before it did this");
+    const Answer answer = make_answer(AnswerKind::refused, message_of(MessageId::core_replaced));
     for (CommandSlot& slot : header.commands) {
         const std::uint64_t word = slot.state_and_sender.load(std::memory_order_acquire);
         const std::uint32_t sender = sender_of(word);

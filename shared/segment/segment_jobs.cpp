@@ -6,13 +6,16 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "shared/base/shared_text.hpp"
+#include "shared/base/message_text.hpp"
 #include "shared/computer/event.hpp"
 #include "shared/job/job.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/segment/robust_mutex.hpp"
 #include "shared/segment/segment.hpp"
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve {
 namespace {
@@ -82,17 +85,18 @@ Error too_large(const Segment& segment, std::uint64_t bytes) {
 Result<std::vector<std::byte>> copy_slot(Segment& segment, std::uint64_t generation) {
     const auto label = label_of(segment.header(), generation);
     if (!label) {
-        return bad_input("the published job is damaged: nobody published generation " +
-                         std::to_string(generation) + "; publish it again");
+        return error_from(ErrorCode::bad_input,
+                          message_of(MessageId::published_by_nobody, count_argument(generation)));
     }
     if (label->bytes > segment.slot_bytes()) {
-        return bad_input("the published job says it has " + std::to_string(label->bytes) +
-                         " bytes, a slot holds " + std::to_string(segment.slot_bytes()));
+        return error_from(ErrorCode::bad_input,
+                          message_of(MessageId::published_too_large, count_argument(label->bytes),
+                                     count_argument(segment.slot_bytes())));
     }
     std::vector<std::byte> blob(label->bytes);
     if (auto read = segment.read_slot(slot_of(generation), blob); !read) return read.error();
     if (job_checksum(blob) != label->checksum) {
-        return bad_input("the published job is damaged: its checksum is wrong");
+        return error_from(ErrorCode::bad_input, message_of(MessageId::published_checksum_wrong));
     }
     return blob;
 }
@@ -103,15 +107,21 @@ std::uint64_t accepted_generation(const SegmentHeader& header) noexcept {
     return status ? status->job_generation : 0;
 }
 
+/// The count may be anything.
+std::vector<Message> said_in(const JobVerdict& verdict) {
+    const std::size_t count = std::min<std::size_t>(verdict.said_count, kVerdictMessages);
+    return {verdict.said, verdict.said + count};
+}
+
 /// Nothing: the core has not judged it, and may still.
 std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t generation) {
     const auto verdict = read_record(header.verdict);
     if (!verdict) return std::nullopt;
     if (verdict->generation == generation) {
         if (verdict->accepted == 1) return Result<void>{};
-        const std::string reason = text_from_field(verdict->reason);
-        return Error{ErrorCode::machine_refused,
-                     reason.empty() ? "the core refused the job without a reason" : reason};
+        const std::vector<Message> said = said_in(*verdict);
+        return error_from(ErrorCode::machine_refused,
+                          said.empty() ? message_of(MessageId::job_refused_without_reason) : said.front());
     }
     if (verdict->generation < generation) return std::nullopt;
     // Read after the verdict: a generation accepted before it is still there unless another was accepted
@@ -120,7 +130,7 @@ std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t
     // A number this great is that of a damaged word, which the core refused before ours.
     const bool is_damaged = verdict->generation > kLastGeneration;
     if (is_damaged && header.publication.generation.load() == generation) return std::nullopt;
-    return Error{ErrorCode::machine_refused, "another job was published meanwhile; publish this one again"};
+    return error_from(ErrorCode::machine_refused, message_of(MessageId::other_job_published));
 }
 
 bool is_refused(const SegmentHeader& header, std::uint64_t generation) noexcept {
@@ -195,8 +205,8 @@ Result<void> check_no_job_runs(const Segment& segment) {
         case S::held:
         case S::finishing:
         case S::stopping:
-            return Error{ErrorCode::machine_refused, "a job runs (" + std::string{name_of(status->state)} +
-                                                         "); stop it or wait for its end"};
+            return error_from(ErrorCode::machine_refused,
+                              message_of(MessageId::job_runs, argument_of(status->state)));
         default:
             return {};
     }
@@ -240,13 +250,14 @@ Result<void> wait_for_acceptance(Segment& segment, std::uint64_t generation,
             return *judged;
         }
         if (!segment.core_pid()) {
-            return Error{ErrorCode::no_core, "the job is published, but no core serves segment " +
-                                                 segment.name() + ": start psicarve-rtcore"};
+            return error_from(ErrorCode::no_core,
+                              with_text(message_of(MessageId::published_without_core), segment.name()));
         }
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
         if (left.count() <= 0) {
-            return Error{ErrorCode::timed_out,
-                         "the core did not judge the job within " + std::to_string(limit.count()) + " ms"};
+            const auto limit_ms = static_cast<std::uint64_t>(std::max<std::int64_t>(limit.count(), 0));
+            return error_from(ErrorCode::timed_out,
+                              message_of(MessageId::job_not_judged, ms_argument(limit_ms)));
         }
         event_wait_past(header.status_changed, seen, std::min(left, kCoreCheckInterval));
     }
@@ -294,19 +305,23 @@ Result<std::optional<PublishedJob>> take_published_job(Segment& segment, std::ui
     return std::optional<PublishedJob>{};
 }
 
-void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted, const std::string& reason) {
+void acknowledge_job(Segment& segment, std::uint64_t generation, bool accepted,
+                     const std::vector<Message>& said) {
     JobVerdict verdict{};
     verdict.generation = generation;
     verdict.accepted = accepted ? 1 : 2;
-    text_into_field(verdict.reason, reason);
+    for (const Message& one : said) {
+        if (verdict.said_count == kVerdictMessages) break;
+        verdict.said[verdict.said_count++] = one;
+    }
     write_record(segment.header().verdict, verdict);
     event_signal(segment.header().status_changed);
 }
 
-std::string job_remark(const Segment& segment) {
+std::vector<Message> job_remarks(const Segment& segment) {
     const auto verdict = read_record(segment.header().verdict);
     const bool is_of_it = verdict && verdict->generation == published_generation(segment);
-    return is_of_it && verdict->accepted == 1 ? text_from_field(verdict->reason) : std::string{};
+    return is_of_it && verdict->accepted == 1 ? said_in(*verdict) : std::vector<Message>{};
 }
 
 }  // namespace psicarve

@@ -45,7 +45,7 @@ protected:
         status.state = MachineState::ready;
         status.job_generation = generation;
         write_record(core_->header().status, status);
-        acknowledge_job(*core_, generation, true, "");
+        acknowledge_job(*core_, generation, true);
     }
     std::uint64_t publish(std::int32_t mark) {
         const auto generation = publish_job(*hmi_, test::make_job(mark));
@@ -88,7 +88,7 @@ TEST_F(PublicationWord, WhateverItIsOverwrittenWithTheNextJobIsTakenAndAccepted)
         set_word(word);
         // As a core does that sees it.
         const auto seen = take_published_job(*core_, last);
-        if (!seen) acknowledge_job(*core_, word, false, seen.error().message);
+        if (!seen) acknowledge_job(*core_, word, false, {seen.error().said});
         const std::uint64_t next = publish(++mark);
         ASSERT_GT(next, last) << word;
         EXPECT_EQ(published_generation(*hmi_), next);
@@ -134,8 +134,8 @@ TEST_F(PublicationWord, WordsOfASlotThatDoNotBelongTogetherAreRefused) {
 TEST_F(PublicationWord, ARefusedJobIsPublishedNoLonger) {
     ASSERT_TRUE(core_->claim_core());
     const std::uint64_t alone = publish(1);
-    acknowledge_job(*core_, alone, false, "not this one");
-    EXPECT_THAT(wait_for_acceptance(*hmi_, alone, kShort).error().message, HasSubstr("not this one"));
+    acknowledge_job(*core_, alone, false, {message_of(MessageId::busy_for_a_job)});
+    EXPECT_EQ(wait_for_acceptance(*hmi_, alone, kShort).error().said.id, MessageId::busy_for_a_job);
     EXPECT_EQ(published_generation(*hmi_), 0U);
     EXPECT_FALSE(take_published_job(*core_, 0).value().has_value());
 
@@ -143,8 +143,8 @@ TEST_F(PublicationWord, ARefusedJobIsPublishedNoLonger) {
     ASSERT_GT(good, alone);
     accept(good);
     const std::uint64_t bad = publish(3);
-    acknowledge_job(*core_, bad, false, "nor this one");
-    EXPECT_THAT(wait_for_acceptance(*hmi_, bad, kShort).error().message, HasSubstr("nor this one"));
+    acknowledge_job(*core_, bad, false, {message_of(MessageId::job_for_other_machine)});
+    EXPECT_EQ(wait_for_acceptance(*hmi_, bad, kShort).error().said.id, MessageId::job_for_other_machine);
     EXPECT_EQ(published_generation(*hmi_), good);
     EXPECT_TRUE(take_published_job(*core_, 0).value().value().blob == jobs_[good]);
     EXPECT_GT(publish(4), bad) << "the core has judged that number";
@@ -153,7 +153,7 @@ TEST_F(PublicationWord, ARefusedJobIsPublishedNoLonger) {
 TEST_F(PublicationWord, ARefusalOfAnotherJobTakesNothingBack) {
     ASSERT_TRUE(core_->claim_core());
     const std::uint64_t first = publish(1);
-    acknowledge_job(*core_, first, false, "not this one");
+    acknowledge_job(*core_, first, false, {message_of(MessageId::busy_for_a_job)});
     const std::uint64_t second = publish(2);
     EXPECT_FALSE(wait_for_acceptance(*hmi_, first, kShort));
     EXPECT_EQ(published_generation(*hmi_), second);
@@ -166,7 +166,7 @@ TEST_F(PublicationWord, AnAcceptedJobIsAcceptedWhateverWasPublishedAndRefusedSin
     const std::uint64_t good = publish(1);
     accept(good);
     const std::uint64_t bad = publish(2);
-    acknowledge_job(*core_, bad, false, "not this one");
+    acknowledge_job(*core_, bad, false, {message_of(MessageId::busy_for_a_job)});
     EXPECT_TRUE(wait_for_acceptance(*hmi_, good, kShort)) << "before the other one is taken back";
     EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
     ASSERT_EQ(published_generation(*hmi_), good);
@@ -190,7 +190,7 @@ TEST_F(PublicationWord, ARefusedJobGivesWayToTheOneBeforeAlsoWhereNothingIsAccep
     ASSERT_TRUE(core_->claim_core());
     const std::uint64_t before = publish(1);
     const std::uint64_t bad = publish(2);
-    acknowledge_job(*core_, bad, false, "not this one");
+    acknowledge_job(*core_, bad, false, {message_of(MessageId::busy_for_a_job)});
     EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
     EXPECT_EQ(published_generation(*hmi_), before);
     EXPECT_TRUE(take_published_job(*core_, 0).value().value().blob == jobs_[before]);
@@ -202,10 +202,10 @@ TEST_F(PublicationWord, ARefusedJobGivesWayToTheOneBeforeAlsoWhereNothingIsAccep
 TEST_F(PublicationWord, ARefusedJobDoesNotGiveWayToOneThatWasRefusedBefore) {
     ASSERT_TRUE(core_->claim_core());
     const std::uint64_t first = publish(1);
-    acknowledge_job(*core_, first, false, "not this one");
+    acknowledge_job(*core_, first, false, {message_of(MessageId::busy_for_a_job)});
     const std::uint64_t second = publish(2);
     EXPECT_FALSE(wait_for_acceptance(*hmi_, first, kShort));
-    acknowledge_job(*core_, second, false, "nor this one");
+    acknowledge_job(*core_, second, false, {message_of(MessageId::job_for_other_machine)});
     EXPECT_FALSE(wait_for_acceptance(*hmi_, second, kShort));
     EXPECT_EQ(published_generation(*hmi_), 0U);
 }
@@ -216,7 +216,7 @@ TEST_F(PublicationWord, AJobWhoseSlotWasDamagedIsTakenBackAsWell) {
     accept(good);
     const std::uint64_t bad = publish(2);
     hmi_->header().publication.of_slot[bad % 2].seal.fetch_add(1);
-    acknowledge_job(*core_, bad, false, "damaged");
+    acknowledge_job(*core_, bad, false, {message_of(MessageId::published_checksum_wrong)});
     EXPECT_FALSE(wait_for_acceptance(*hmi_, bad, kShort));
     EXPECT_EQ(published_generation(*hmi_), good);
 }
@@ -233,7 +233,7 @@ bool is_asleep(pid_t thread) {
 TEST_F(PublicationWord, AJobIsNotTakenBackThatACoreStartedAnewHasAccepted) {
     ASSERT_TRUE(core_->claim_core());
     const std::uint64_t generation = publish(1);
-    acknowledge_job(*core_, generation, false, "the machine is busy");
+    acknowledge_job(*core_, generation, false, {message_of(MessageId::busy_for_a_job)});
     RobustMutex mutex{hmi_->header().mutex};
     mutex.lock();
     std::atomic<pid_t> waiter_id{0};

@@ -6,9 +6,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstring>
 #include <thread>
 #include <vector>
 
+#include "shared/base/message_text.hpp"
 #include "shared/computer/event.hpp"
 #include "shared/computer/process_identity.hpp"
 #include "shared/segment/segment.hpp"
@@ -53,7 +55,7 @@ TEST_F(SegmentCommands, AnswerDoneReachesTheSender) {
     std::thread sender{[&] { result = send_command(*hmi_, command, milliseconds{60'000}); }};
 
     const ReceivedCommand received = take();
-    answer_command(*core_, received, AnswerKind::done, "");
+    answer_command(*core_, received, AnswerKind::done);
     sender.join();
 
     EXPECT_TRUE(result.has_value());
@@ -72,7 +74,7 @@ TEST_F(SegmentCommands, TellWhichStopsTheirSenderHadSeen) {
 
     const ReceivedCommand received = take();
     request_stop(*core_);
-    answer_command(*core_, received, AnswerKind::done, "");
+    answer_command(*core_, received, AnswerKind::done);
     sender.join();
 
     EXPECT_EQ(received.stops_seen.stops, 2U);
@@ -80,18 +82,36 @@ TEST_F(SegmentCommands, TellWhichStopsTheirSenderHadSeen) {
     EXPECT_EQ(stops_seen(*hmi_).stops, 3U);
 }
 
-TEST_F(SegmentCommands, RefusalReachesTheSenderWithItsReasonCutToTheSpace) {
+TEST_F(SegmentCommands, RefusalReachesTheSenderWhole) {
     Result<void> result;
     std::thread sender{[&] {
         result = send_command(*hmi_, {CommandKind::home, 0, 0, 0}, milliseconds{60'000});
     }};
 
-    answer_command(*core_, take(), AnswerKind::refused, "not homed " + std::string(500, 'x'));
+    const std::string name(100, 'x');
+    const Message silent = with_text(message_of(MessageId::core_silent, count_argument(4711)), name);
+    answer_command(*core_, take(), AnswerKind::refused, silent);
     sender.join();
 
     ASSERT_FALSE(result.has_value());
     EXPECT_EQ(result.error().code, ErrorCode::machine_refused);
-    EXPECT_THAT(result.error().message, testing::StartsWith("not homed xxx"));
+    EXPECT_EQ(
+        result.error().message,
+        "the core of segment " + name + " (pid 4711) is silent: its heartbeat stands still; is it stopped?");
+    EXPECT_EQ(std::memcmp(&result.error().said, &silent, sizeof silent), 0);
+}
+
+TEST_F(SegmentCommands, RefusalWithoutAMessageSaysThatThereIsNone) {
+    Result<void> result;
+    std::thread sender{[&] {
+        result = send_command(*hmi_, {CommandKind::home, 0, 0, 0}, milliseconds{60'000});
+    }};
+
+    answer_command(*core_, take(), AnswerKind::refused);
+    sender.join();
+
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().said.id, MessageId::no_reason);
 }
 
 TEST_F(SegmentCommands, WithoutACoreNothingIsSent) {
@@ -127,7 +147,7 @@ TEST_F(SegmentCommands, SlotOfASenderThatGaveUpAfterItWasTakenIsFreedByTheAnswer
     EXPECT_EQ(result.error().code, ErrorCode::timed_out);
     EXPECT_EQ(used_slots(), 1U);
 
-    answer_command(*core_, received, AnswerKind::done, "");
+    answer_command(*core_, received, AnswerKind::done);
 
     EXPECT_EQ(used_slots(), 0U);
 }
@@ -219,7 +239,7 @@ TEST_F(SegmentCommands, ManySendersEachGetTheirOwnAnswer) {
                 const std::uint64_t number = sender * kEach + round;
                 const auto result =
                     send_command(*hmi_, {CommandKind::back_off, 0, 0, number}, milliseconds{60'000});
-                right += !result.has_value() && result.error().message == "no " + std::to_string(number);
+                right += !result.has_value() && result.error().said.arguments[0].bits == number;
             }
         });
     }
@@ -227,7 +247,7 @@ TEST_F(SegmentCommands, ManySendersEachGetTheirOwnAnswer) {
     for (std::uint64_t round = 0; round < kSenders * kEach; ++round) {
         const ReceivedCommand received = take();
         answer_command(*core_, received, AnswerKind::refused,
-                       "no " + std::to_string(received.command.value2));
+                       message_of(MessageId::no_such_layer, count_argument(received.command.value2)));
     }
     for (std::thread& sender : senders) sender.join();
 

@@ -13,6 +13,7 @@
 #include "shared/segment/layout.hpp"
 #include "shared/segment/segment.hpp"
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 #include "tests/shared/segment_fixture.hpp"
 #include "tests/thoroughness.hpp"
 
@@ -46,7 +47,7 @@ TEST_F(SegmentJobs, CoreTakesWhatWasPublishedOnce) {
 TEST_F(SegmentJobs, TheAcceptedJobOutlivesAllThatAreRefusedAfterIt) {
     const auto accepted = test::make_job(1, 100, 100);
     const auto first = publish_job(*hmi_, accepted).value();
-    acknowledge_job(*core_, first, true, "");
+    acknowledge_job(*core_, first, true);
     CoreStatus status{};
     status.state = MachineState::ready;
     status.job_generation = first;
@@ -54,23 +55,52 @@ TEST_F(SegmentJobs, TheAcceptedJobOutlivesAllThatAreRefusedAfterIt) {
     for (int seed = 2; seed < 6; ++seed) {
         const auto refused = publish_job(*hmi_, test::make_job(seed, 50, 50)).value();
         EXPECT_GT(refused, first);
-        acknowledge_job(*core_, refused, false, "not this one");
+        acknowledge_job(*core_, refused, false, {message_of(MessageId::busy_for_a_job)});
         const auto current = copy_current_job(*hmi_, milliseconds{100}).value();
         EXPECT_EQ(current.generation, first);
         EXPECT_EQ(current.blob, accepted);
     }
 }
 
+TEST_F(SegmentJobs, RemarksOnAnAcceptedJobArriveAsTheyWereSaid) {
+    const auto accepted = publish_job(*hmi_, test::make_job(1, 50, 50)).value();
+    EXPECT_TRUE(job_remarks(*hmi_).empty());
+    const std::vector<Message> said{
+        message_of(MessageId::segment_and_disk_disagree, layer_argument(7), layer_argument(4)),
+        message_of(MessageId::begun_with_other_profile)};
+    acknowledge_job(*core_, accepted, true, said);
+    const std::vector<Message> remarks = job_remarks(*hmi_);
+    ASSERT_EQ(remarks.size(), 2U);
+    EXPECT_EQ(remarks[0].arguments[1].bits, 4U);
+    EXPECT_EQ(in_words(remarks),
+              "segment: layer 7, disk: 4; where this piece goes on the two disagree, the lower one is taken; "
+              "this piece was begun with another profile of the machine");
+    // More than there is room for, and a count that is damaged.
+    acknowledge_job(*core_, accepted, true, std::vector<Message>(5, said[1]));
+    EXPECT_EQ(job_remarks(*hmi_).size(), kVerdictMessages);
+    auto verdict = read_record(core_->header().verdict).value();
+    verdict.said_count = 0xFFFFFFFFU;
+    write_record(core_->header().verdict, verdict);
+    EXPECT_EQ(job_remarks(*hmi_).size(), kVerdictMessages);
+}
+
+TEST_F(SegmentJobs, ARefusalWithoutAMessageSaysSo) {
+    const auto refused = publish_job(*hmi_, test::make_job(1, 50, 50)).value();
+    acknowledge_job(*core_, refused, false);
+    EXPECT_EQ(wait_for_acceptance(*hmi_, refused, milliseconds{1000}).error().said.id,
+              MessageId::job_refused_without_reason);
+}
+
 TEST_F(SegmentJobs, ARefusedJobAloneIsNoCurrentJob) {
     const auto refused = publish_job(*hmi_, test::make_job(1, 100, 100)).value();
-    acknowledge_job(*core_, refused, false, "not this one");
+    acknowledge_job(*core_, refused, false, {message_of(MessageId::busy_for_a_job)});
     EXPECT_TRUE(copy_current_job(*hmi_, milliseconds{100}).value().blob.empty());
 }
 
 TEST_F(SegmentJobs, NothingIsPublishedWhileAJobRuns) {
     ASSERT_TRUE(core_->claim_core());
     const auto first = publish_job(*hmi_, test::make_job(1, 100, 100)).value();
-    acknowledge_job(*core_, first, true, "");
+    acknowledge_job(*core_, first, true);
     CoreStatus status{};
     status.state = MachineState::carving;
     status.job_generation = first;
@@ -180,15 +210,17 @@ TEST_F(SegmentJobs, PublishingGoesOnAfterTheLastGeneration) {
 TEST_F(SegmentJobs, AcceptanceAndRefusalReachThePublisher) {
     ASSERT_TRUE(core_->claim_core().has_value());
     const auto first = publish_job(*hmi_, test::make_job(1)).value();
-    acknowledge_job(*core_, first, true, "");
+    acknowledge_job(*core_, first, true);
     EXPECT_TRUE(wait_for_acceptance(*hmi_, first, milliseconds{1000}).has_value());
 
     const auto second = publish_job(*hmi_, test::make_job(2)).value();
-    acknowledge_job(*core_, second, false, "layer 3, point 4: \x1b[31mtoo far out");
+    acknowledge_job(*core_, second, false,
+                    {with_text(message_of(MessageId::job_unsound), "layer 3, point 4: \x1b[31mtoo far out")});
     const auto refused = wait_for_acceptance(*hmi_, second, milliseconds{1000});
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ErrorCode::machine_refused);
     EXPECT_EQ(refused.error().message, "layer 3, point 4: ?[31mtoo far out");
+    EXPECT_EQ(refused.error().said.id, MessageId::job_unsound);
 
     EXPECT_EQ(wait_for_acceptance(*hmi_, first, milliseconds{1000}).error().code, ErrorCode::machine_refused);
 }

@@ -292,7 +292,7 @@ TEST_F(SegmentTest, NewCoreClearsWhatTheOldOneLeftButKeepsTheJob) {
     const auto generation = publish_job(segment, test::make_job(1));
     ASSERT_TRUE(generation.has_value());
     ASSERT_TRUE(segment.claim_core().has_value());
-    acknowledge_job(segment, *generation, true, "");
+    acknowledge_job(segment, *generation, true);
     CoreStatus status{};
     status.tick = 99;
     write_record(segment.header().status, status);

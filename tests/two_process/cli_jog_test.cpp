@@ -232,20 +232,25 @@ TEST_F(Jogging, ThePinsOfEveryKindOfMoveObeyTheRules) {
 
 TEST_F(Jogging, WhatTheMachineCannotDoIsRefusedWithTheReason) {
     start_core({"--clock", "virtual"});
-    const auto expect_refused = [&](std::vector<std::string> arguments, const std::string& reason) {
+    const auto expect_refused = [&](std::vector<std::string> arguments, const std::string& reason,
+                                    const std::string& id) {
         arguments.emplace_back("--json");
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
         EXPECT_EQ(outcome.json()["error"]["code"], "machine_refused") << outcome.out;
+        EXPECT_EQ(outcome.json()["error"]["id"], id) << outcome.out;
         EXPECT_NE(outcome.error.find(reason), std::string::npos) << outcome.error;
     };
-    expect_refused({"move", "r1=61"}, "r1 would leave its travel, 0.000 mm to 60.000 mm");
-    expect_refused({"move", "r1=30", "y=-0.1"}, "y would leave its travel");
-    expect_refused({"jog", "r2", "-59"}, "r2 would go inside the core radius, 1.500 mm");
-    expect_refused({"move", "psi=1e15"}, "no axis goes so far");
+    expect_refused({"move", "r1=61"}, "r1 would leave its travel, 0.000 mm to 60.000 mm", "outside_travel");
+    expect_refused({"move", "r1=30", "y=-0.1"}, "y would leave its travel", "outside_travel");
+    expect_refused({"jog", "r2", "-59"}, "r2 would go inside the core radius, 1.500 mm",
+                   "inside_core_radius");
+    expect_refused({"move", "psi=1e15"}, "no axis goes so far", "too_far");
+    const auto arguments = run({"move", "r1=61", "--json"}).json()["error"]["arguments"];
+    EXPECT_EQ(arguments.dump(), R"({"axis":"r1","command":"move","from_mm":0.0,"to_mm":60.0})");
     ASSERT_EQ(run({"estop"}).exit_code, 0);
-    expect_refused({"jog", "r1", "-1"}, "not while alarm");
-    expect_refused({"spindle", "on"}, "not while alarm");
+    expect_refused({"jog", "r1", "-1"}, "not while alarm", "wrong_state");
+    expect_refused({"spindle", "on"}, "not while alarm", "wrong_state");
 }
 
 TEST_F(Jogging, ASpeedThatAnAxisDoesNotHaveIsSaid) {

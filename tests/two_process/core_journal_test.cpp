@@ -97,6 +97,7 @@ TEST_F(CoreJournal, TellsOfARunFromItsStartToItsEnd) {
     });
     ASSERT_NE(refused, all.end());
     EXPECT_NE(refused->facts.text("reason").find("home"), std::string::npos) << refused->facts.text("reason");
+    EXPECT_EQ(refused->facts.text("message"), "not_homed");
     EXPECT_EQ(count_of(JournalKind::job, "started"), 1U);
     const JournalRecord ended = last(JournalKind::job, "ended");
     EXPECT_EQ(ended.facts.text("how"), "done");

@@ -187,14 +187,14 @@ TEST_F(SegmentDeath, SenderKilledAtAnyInstantNeverKeepsASlot) {
         ASSERT_TRUE(sender.wait_for_signal());
         for (int step = life_steps(random_); step > 0; --step) {
             if (const auto command = take_command(*segment_)) {
-                answer_command(*segment_, *command, AnswerKind::done, "");
+                answer_command(*segment_, *command, AnswerKind::done);
                 took_any = true;
             }
             ::usleep(10);
         }
         sender.kill();
         while (const auto command = take_command(*segment_)) {
-            answer_command(*segment_, *command, AnswerKind::done, "");
+            answer_command(*segment_, *command, AnswerKind::done);
             took_any = true;
         }
         (void)take_command(*segment_).has_value();

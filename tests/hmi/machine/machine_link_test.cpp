@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "hmi/machine/jog.hpp"
 #include "hmi/machine/snapshot_taker.hpp"
+#include "shared/base/message_text.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "tests/two_process/child_process.hpp"
 
@@ -24,7 +26,7 @@ using test::ChildProcess;
 /// A process that serves a segment: writes a status again and again, answers every command by `act`.
 class ScriptedCore {
 public:
-    using Act = std::function<std::string(const Command&, CoreStatus&)>;  // the reason of a refusal, or empty
+    using Act = std::function<Message(const Command&, CoreStatus&)>;  // why it is refused, or none
 
     ScriptedCore(const std::string& segment_name, MachineState state, Act act)
         : child_([=](ChildProcess::Signal serving) {
@@ -40,10 +42,10 @@ public:
               bool is_serving = false;
               for (;;) {
                   if (const auto command = take_command(*segment)) {
-                      const std::string reason = act(command->command, status);
+                      const Message why = act(command->command, status);
                       write(*segment, status);
                       answer_command(*segment, *command,
-                                     reason.empty() ? AnswerKind::done : AnswerKind::refused, reason);
+                                     why.is_none() ? AnswerKind::done : AnswerKind::refused, why);
                   }
                   if (segment->header().stop_requests.load() > 0) status.state = MachineState::ready;
                   write(*segment, status);
@@ -80,7 +82,7 @@ protected:
     static ScriptedCore::Act goes_to(MachineState state) {
         return [state](const Command&, CoreStatus& status) {
             status.state = state;
-            return std::string{};
+            return Message{};
         };
     }
 
@@ -104,18 +106,31 @@ TEST_F(MachineLinkTest, AnAnsweredCommandIsFollowedByTheStateItLedTo) {
 
 TEST_F(MachineLinkTest, ARefusalCarriesTheCoresReason) {
     ScriptedCore core{name_, MachineState::off,
-                      [](const Command&, CoreStatus&) { return std::string{"home first"}; }};
+                      [](const Command&, CoreStatus&) { return message_of(MessageId::not_homed); }};
     MachineLink sut = attached();
     const auto sent = sut.send(CommandKind::start);
     ASSERT_FALSE(sent.has_value());
     EXPECT_EQ(sent.error().code, ErrorCode::machine_refused);
     EXPECT_NE(sent.error().message.find("home first"), std::string::npos);
+    EXPECT_EQ(sent.error().said.id, MessageId::not_homed);
+}
+
+TEST_F(MachineLinkTest, AMessageWithALongTextArrivesWholeFromTheOtherProcess) {
+    const std::string text = std::string(94, 'n') + "_Ψ-end";
+    const Message said = with_text(message_of(MessageId::core_silent, count_argument(4711)), text);
+    ScriptedCore core{name_, MachineState::off, [said](const Command&, CoreStatus&) { return said; }};
+    MachineLink sut = attached();
+    const auto sent = sut.send(CommandKind::start);
+    ASSERT_FALSE(sent.has_value());
+    EXPECT_GT(text.size(), 100U);
+    EXPECT_EQ(std::memcmp(&sent.error().said, &said, sizeof said), 0);
+    EXPECT_NE(sent.error().message.find(text), std::string::npos) << sent.error().message;
 }
 
 // Written before the answer, the new lease would hide that the holder before lets go.
 TEST_F(MachineLinkTest, AJogTakesTheLeaseOnceItIsAccepted) {
     ScriptedCore core{name_, MachineState::ready, [count = 0](const Command&, CoreStatus&) mutable {
-                          return std::string{count++ == 0 ? "another axis moves" : ""};
+                          return count++ == 0 ? message_of(MessageId::overtaken) : Message{};
                       }};
     MachineLink sut = attached();
     write_jog_lease(sut.segment(), 7, 0);
@@ -133,7 +148,7 @@ TEST_F(MachineLinkTest, AnAlarmEndsAWaitAndIsNamed) {
                           status.state = MachineState::alarm;
                           status.alarm_cause = AlarmCause::limit;
                           status.alarm_axis = static_cast<std::uint8_t>(Axis::r2);
-                          return std::string{};
+                          return Message{};
                       }};
     MachineLink sut = attached();
     ASSERT_TRUE(sut.send(CommandKind::start).has_value());

@@ -231,8 +231,8 @@ TEST(Messages, NameTheAxesThatTheyAreOf) {
 TEST(Messages, TellOnceThatMemoryAndDiskDisagree) {
     const MachineSight before = machine_in(S::off);
     MachineSight after = before;
-    after.job_remark =
-        "segment: layer 7, disk: 4; where this piece goes on the two disagree, the lower one is taken";
+    after.job_remarks = {
+        message_of(MessageId::segment_and_disk_disagree, layer_argument(7), layer_argument(4))};
     EXPECT_EQ(told(before, after),
               "The computer's memory says 7 layers, its disk 4: the lower number is taken.; ");
     EXPECT_EQ(told(after, after), "");

@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "hmi/machine/machine_link.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "tests/hmi/session/sights.hpp"
 
 namespace psicarve::session {
@@ -13,6 +15,7 @@ namespace {
 
 using S = MachineState;
 using OrderHelp = OrderRefusal::Help;
+using test::machine_in;
 
 constexpr std::uint8_t kR1Homed = 1;
 
@@ -94,14 +97,26 @@ TEST(RefusedOrder, OffersNoHomingThatIsDoneAndNoAlarmThatIsGone) {
     EXPECT_FALSE(alarm.told());
 }
 
-TEST(RefusedOrder, KnowsWhatHelpsByTheCoresWords) {
-    EXPECT_EQ(help_for("start: the machine is not homed; home first"), OrderHelp::home_all);
-    EXPECT_EQ(help_for("jog: not while off; home first"), OrderHelp::home_all);
-    EXPECT_EQ(help_for("home: psi and y after r1 and r2, or with them; home r1 and r2 first"),
-              OrderHelp::home_all);
-    EXPECT_EQ(help_for("home: not while alarm; reset the alarm first"), OrderHelp::reset_alarm);
-    EXPECT_EQ(help_for("alarm: limit of r1; Back the axis off its sensor"), OrderHelp::reset_alarm);
-    EXPECT_EQ(help_for("jog: r1 would leave its travel, 0 to 60"), OrderHelp::none);
+TEST(RefusedOrder, KnowsWhatHelpsByTheCoresMessage) {
+    const auto wrong_state = [](CommandKind kind, S state) {
+        return message_of(MessageId::wrong_state, argument_of(kind), argument_of(state), way_out_of(state));
+    };
+    EXPECT_EQ(help_for(message_of(MessageId::not_homed)), OrderHelp::home_all);
+    EXPECT_EQ(help_for(wrong_state(CommandKind::jog, S::off)), OrderHelp::home_all);
+    EXPECT_EQ(help_for(message_of(MessageId::heads_not_homed)), OrderHelp::home_all);
+    EXPECT_EQ(help_for(wrong_state(CommandKind::home, S::alarm)), OrderHelp::reset_alarm);
+    EXPECT_EQ(help_for(wrong_state(CommandKind::home, S::carving)), OrderHelp::none);
+    CoreStatus in_alarm{};
+    in_alarm.alarm_cause = AlarmCause::limit;
+    for (const std::uint8_t axis : {std::uint8_t{0}, kNoAxis}) {
+        in_alarm.alarm_axis = axis;
+        EXPECT_EQ(help_for(machine::alarm_error(in_alarm).said), OrderHelp::reset_alarm);
+    }
+    EXPECT_EQ(help_for(message_of(MessageId::port_failed)), OrderHelp::reset_alarm);
+    EXPECT_EQ(
+        help_for(message_of(MessageId::at_the_end, argument_of(CommandKind::jog), argument_of(Axis::r1))),
+        OrderHelp::none);
+    EXPECT_EQ(help_for({}), OrderHelp::none);
 }
 
 }  // namespace

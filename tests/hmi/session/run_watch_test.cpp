@@ -10,7 +10,7 @@ namespace {
 
 using test::machine_in;
 using S = MachineState;
-constexpr RunWatch::Clock::time_point kNow{std::chrono::hours{1}};
+constexpr RunWatch::Clock::time_point kWatchNow{std::chrono::hours{1}};
 
 MachineSight running(S state, std::uint64_t start_tick, std::uint64_t emitted) {
     MachineSight sight = machine_in(state);
@@ -36,24 +36,24 @@ std::string value_of(const RunWatch& watch, const std::string& name) {
 
 TEST(RunWatch, HasNoRunBeforeAJobIsStarted) {
     RunWatch sut;
-    sut.note(machine_in(S::ready), kNow);
+    sut.note(machine_in(S::ready), kWatchNow);
     EXPECT_FALSE(sut.run());
 }
 
 TEST(RunWatch, TellsARunFromStartToEndAndNothingOfWhatComesAfter) {
     RunWatch sut;
-    sut.note(machine_in(S::ready), kNow);
-    sut.note(running(S::carving, 500, 1'000), kNow);
+    sut.note(machine_in(S::ready), kWatchNow);
+    sut.note(running(S::carving, 500, 1'000), kWatchNow);
     EXPECT_FALSE(sut.is_over());
     EXPECT_EQ(value_of(sut, "Result"), "under way");
-    sut.note(running(S::ready, 500, 2'345), kNow);
+    sut.note(running(S::ready, 500, 2'345), kWatchNow);
     EXPECT_TRUE(sut.is_over());
-    sut.note(running(S::moving, 500, 9'999), kNow);  // a jog
+    sut.note(running(S::moving, 500, 9'999), kWatchNow);  // a jog
     EXPECT_EQ(value_of(sut, "Result"), "carved to the last point");
     EXPECT_EQ(value_of(sut, "Pulses of Y, with the ways in and out"), "2\u2009345");
     EXPECT_EQ(value_of(sut, "Carving time"), "0:01");
     EXPECT_EQ(value_of(sut, "Total time"), "0:02");
-    sut.note(running(S::positioning, 90'000, 5), kNow);
+    sut.note(running(S::positioning, 90'000, 5), kWatchNow);
     EXPECT_FALSE(sut.is_over());
     EXPECT_EQ(value_of(sut, "Pulses of R1, with the ways in and out"), "5");
 }
@@ -63,11 +63,11 @@ TEST(RunWatch, CountsTheAlarmsOfTheRunAlone) {
     MachineSight before = machine_in(S::ready);
     before.status->alarm_count = 2;
     before.status->missed_ticks = 7;
-    sut.note(before, kNow);
+    sut.note(before, kWatchNow);
     MachineSight alarm = running(S::alarm, 500, 100);
     alarm.status->alarm_count = 3;
     alarm.status->missed_ticks = 9;
-    sut.note(alarm, kNow);
+    sut.note(alarm, kWatchNow);
     EXPECT_EQ(value_of(sut, "Result"), "ended by an alarm");
     EXPECT_EQ(value_of(sut, "Alarms"), "1");
     EXPECT_EQ(value_of(sut, "Missed ticks"), "2");
@@ -78,23 +78,23 @@ TEST(RunWatch, SaysFromWhichLayerOnItSawARunThatItFound) {
     MachineSight found = running(S::carving, 500, 1'000);
     found.status->layer = 4;
     found.status->missed_ticks = 7;
-    sut.note(found, kNow);
+    sut.note(found, kWatchNow);
     found.status->missed_ticks = 9;
-    sut.note(found, kNow);
+    sut.note(found, kWatchNow);
     EXPECT_EQ(sut.seen_from_layer(), 4U);
     EXPECT_EQ(value_of(sut, "Missed ticks"), "2 since layer 5, when this window came");
-    sut.note(running(S::ready, 500, 2'345), kNow);
-    sut.note(running(S::carving, 90'000, 5), kNow);  // the next one, from its start
+    sut.note(running(S::ready, 500, 2'345), kWatchNow);
+    sut.note(running(S::carving, 90'000, 5), kWatchNow);  // the next one, from its start
     EXPECT_FALSE(sut.seen_from_layer());
 }
 
 TEST(RunWatch, ForgetsTheRunsOfACoreThatIsNoMore) {
     RunWatch sut;
-    sut.note(running(S::carving, 500, 1'000), kNow);
+    sut.note(running(S::carving, 500, 1'000), kWatchNow);
     EXPECT_TRUE(sut.run());
     MachineSight next = machine_in(S::off, 0);
     next.core_pid = 43;
-    sut.note(next, kNow);
+    sut.note(next, kWatchNow);
     EXPECT_FALSE(sut.run());
 }
 
@@ -102,10 +102,10 @@ TEST(RunWatch, DoesNotCallADryRunCarved) {
     RunWatch sut;
     MachineSight machine = running(S::carving, 500, 1'000);
     machine.status->is_dry = 1;
-    sut.note(machine, kNow);
+    sut.note(machine, kWatchNow);
     machine = running(S::ready, 500, 2'345);
     machine.status->is_dry = 1;
-    sut.note(machine, kNow);
+    sut.note(machine, kWatchNow);
     EXPECT_EQ(value_of(sut, "Result"), "dry run to the last point: nothing was carved");
     EXPECT_EQ(value_of(sut, "Verified"), "no: a dry run carves nothing");
 }

@@ -119,9 +119,10 @@ TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
 TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
     MachineSight machine = test::machine_in(MachineState::ready);
     EXPECT_FALSE(disagreement(machine));
-    machine.job_remark =
-        "the job was made for another blank; segment: layer 3, disk: 0; where this piece goes on the two "
-        "disagree, the lower one is taken; this piece was begun with another profile of the machine";
+    machine.job_remarks = {
+        message_of(MessageId::blank_beside, mm_argument(1.0)),
+        message_of(MessageId::segment_and_disk_disagree, layer_argument(3), layer_argument(0)),
+        message_of(MessageId::begun_with_other_profile)};
     machine.earlier_layer = 5;
     machine.is_checkpoint_from_disk = true;
     const std::string words = "The computer's memory says 3 layers, its disk 0: the lower number is taken.";

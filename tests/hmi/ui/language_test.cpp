@@ -21,17 +21,19 @@
 #include <string>
 #include <vector>
 
-#include "hmi/phrase/core_phrase.hpp"
 #include "hmi/phrase/error_phrase.hpp"
+#include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/language.hpp"
 #include "hmi/ui/state_pill.hpp"
 #include "hmi/ui/words.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/message_argument.hpp"
 #include "shared/profile/profile_table.hpp"
 #include "shared/profile/profile_text.hpp"
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 #include "tests/hmi/session/sights.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
@@ -339,8 +341,11 @@ TEST_P(Languages, HaveTheCoresWords) {
         const std::string name{name_of(static_cast<MachineState>(k))};
         EXPECT_NE(in_own(name.c_str()).toStdString(), name);
     }
+    const psicarve::Message refused =
+        message_of(MessageId::wrong_state, argument_of(CommandKind::hold), argument_of(MachineState::ready),
+                   way_out_of(MachineState::ready));
     const session::Phrase refusal =
-        session::refusal_phrase(session::phrase("Hold"), "hold: not while ready; start first");
+        session::refusal_phrase(session::phrase("Hold"), error_from(ErrorCode::machine_refused, refused));
     const QString said = words(refusal);
     for (const char* english : {"Hold", "not while", "ready", "start first"})
         EXPECT_FALSE(said.contains(english)) << said.toStdString();

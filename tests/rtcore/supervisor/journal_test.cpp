@@ -367,7 +367,7 @@ TEST_F(JournalTest, TheEndIsWrittenOnceItIsNoted) {
     Journal sut{start()};
     ReceivedCommand received{};
     received.command.kind = CommandKind::home;
-    for (int i = 0; i < 400; ++i) sut.note_answer(received, AnswerKind::refused, "home: no", 5);
+    for (int i = 0; i < 400; ++i) sut.note_answer(received, AnswerKind::refused, {}, 5);
     sut.note_end({});
     const auto all = records();
     ASSERT_FALSE(all.empty());
@@ -384,7 +384,7 @@ TEST_F(JournalTest, AFloodOfCommandsIsCountedInOneRecord) {
         ReceivedCommand received{};
         received.command.kind = CommandKind::home;
         received.sender_pid = static_cast<std::uint32_t>(::getpid());
-        for (int i = 0; i < 3000; ++i) sut.note_answer(received, AnswerKind::refused, "home: no", 5);
+        for (int i = 0; i < 3000; ++i) sut.note_answer(received, AnswerKind::refused, {}, 5);
         sut.note_end({});
     }
     const auto all = records();

@@ -30,9 +30,9 @@ TEST(LoadedJob, WithABlankThatAHeadWouldStandInIsRefused) {
 }
 
 TEST(LoadedJob, HasARemarkOfABlankThatIsNotTheCores) {
-    EXPECT_EQ(loaded({20.0, 20.0}, {20.0, 20.0}).value()->remark, "");
-    EXPECT_EQ(loaded({20.0, 20.0}, {}).value()->remark, "");
-    EXPECT_THAT(loaded({20.0, 20.0}, {25.0, 20.0}).value()->remark, HasSubstr("is in the heads' way"));
+    EXPECT_TRUE(loaded({20.0, 20.0}, {20.0, 20.0}).value()->remark.is_none());
+    EXPECT_TRUE(loaded({20.0, 20.0}, {}).value()->remark.is_none());
+    EXPECT_EQ(loaded({20.0, 20.0}, {25.0, 20.0}).value()->remark.id, MessageId::blank_radius_in_the_way);
 }
 
 }  // namespace

@@ -213,9 +213,9 @@ TEST(MotionRequest, RemarksOnlyOnASpeedBeyondTheLimit) {
         Command command = jog(90.0);
         command.axis = index_of(Axis::psi);
         command.speed = limit_deg_s;
-        EXPECT_EQ(speed_remark(command, profile), "");
+        EXPECT_TRUE(speed_remark(command, profile).is_none());
         command.speed = limit_deg_s + 1e-3;
-        EXPECT_NE(speed_remark(command, profile), "") << limit_deg_s;
+        EXPECT_EQ(speed_remark(command, profile).id, MessageId::speed_limited_turning) << limit_deg_s;
     }
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "shared/segment/shared_record.hpp"
+#include "shared/wording/wording.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
@@ -40,7 +41,7 @@ protected:
     std::string remark_of_new_core(bool is_simulator = false) {
         PieceMemory sut{place(is_simulator)};
         sut.enter(*header_);
-        return sut.take_job(*header_, vase_);
+        return in_words(sut.take_job(*header_, vase_));
     }
     Checkpoint in_segment() const { return read_record(header_->checkpoint).value_or(Checkpoint{}); }
     std::uint32_t layer_on_disk() const {
@@ -190,7 +191,7 @@ TEST_F(PieceMemoryTest, ForgetsNoRealPieceForTheSimulatedMachines) {
     {
         PieceMemory sut{place()};
         sut.take_job(*header_, vase_);
-        EXPECT_THAT(sut.forget(*header_, of_simulated), HasSubstr("the other kind of machine"));
+        EXPECT_EQ(sut.forget(*header_, of_simulated).id, MessageId::record_of_other_kind);
     }
     EXPECT_EQ(in_segment().next_layer, 2U);
     EXPECT_EQ(layer_on_disk(), 2U);
@@ -205,8 +206,8 @@ TEST_F(PieceMemoryTest, ForgetsNoRecordThatIsNewerThanTheNamedOne) {
     {
         PieceMemory sut{place()};
         sut.take_job(*header_, vase_);
-        EXPECT_THAT(sut.forget(*header_, seen), HasSubstr("another record"));
-        EXPECT_THAT(sut.forget(*header_, of_segment_alone), HasSubstr("another record"));
+        EXPECT_EQ(sut.forget(*header_, seen).id, MessageId::record_is_another);
+        EXPECT_EQ(sut.forget(*header_, of_segment_alone).id, MessageId::record_is_another);
     }
     EXPECT_EQ(in_segment().next_layer, 2U);
     EXPECT_EQ(layer_on_disk(), 2U);
@@ -215,7 +216,7 @@ TEST_F(PieceMemoryTest, ForgetsNoRecordThatIsNewerThanTheNamedOne) {
 TEST_F(PieceMemoryTest, ForgetsWhatTheSegmentAloneKnows) {
     leave_in_segment(after(1));
     PieceMemory sut{place()};
-    EXPECT_EQ(sut.forget(*header_, {"/shop", false, vase_->checksum, 0}), "");
+    EXPECT_TRUE(sut.forget(*header_, {"/shop", false, vase_->checksum, 0}).is_none());
     EXPECT_TRUE(in_segment().is_empty());
 }
 
@@ -238,7 +239,7 @@ TEST_F(PieceMemoryTest, SaysThatThePieceWasBegunWithAnotherProfile) {
     CheckpointPlace other = place();
     other.profile_hash = kPieceProfile + 1;
     PieceMemory sut{other};
-    EXPECT_THAT(sut.take_job(*header_, vase_), HasSubstr("begun with another profile"));
+    EXPECT_THAT(in_words(sut.take_job(*header_, vase_)), HasSubstr("begun with another profile"));
 }
 
 TEST_F(PieceMemoryTest, ForgetsInSegmentAndOnDisk) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/phrase/core_phrase.hpp"
+#include "hmi/phrase/error_phrase.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,33 +8,12 @@
 
 #include "hmi/cam/job_builder.hpp"
 #include "hmi/model/load_mesh.hpp"
-#include "hmi/phrase/error_phrase.hpp"
 #include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::session {
 namespace {
-
-TEST(CorePhrase, NamesTheCommandOnceAndInTheWindowsWords) {
-    const Phrase shown = refusal_phrase(phrase("Hold"), "hold: not while ready; start first");
-    EXPECT_EQ(in_english(shown), "Hold: not while ready; start first");
-    const Phrase& why = shown.inner.at(1);
-    EXPECT_STREQ(why.english, "not while %1; %2");
-    EXPECT_EQ(why.arguments, (std::vector<std::string>{"ready"}));
-    EXPECT_STREQ(why.inner.at(0).english, "start first");
-    EXPECT_EQ(in_english(
-                  refusal_phrase(phrase("By hand"), "jog: r1 would leave its travel, 0.000 mm to 60.000 mm")),
-              "By hand: R1 would leave its travel, 0.000 mm to 60.000 mm");
-    EXPECT_EQ(in_english(core_phrase("alarm: limit of r2; Back the axis off its sensor.")),
-              "alarm: limit, axis R2");
-    EXPECT_EQ(in_english(core_phrase("alarm: emergency stop; Release it.")), "alarm: emergency stop");
-}
-
-TEST(CorePhrase, LeavesWhatItDoesNotKnow) {
-    EXPECT_EQ(in_english(core_phrase("something else: 12 %")), "something else: 12 %");
-    EXPECT_EQ(in_english(refusal_phrase(phrase("Start"), "start: something else")), "Start: something else");
-}
 
 /// Whether a window has words of its own for it.
 bool is_known(const std::string& message) {

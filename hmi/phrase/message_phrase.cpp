@@ -80,8 +80,8 @@ std::vector<Row> of_motion() {
 std::vector<Row> of_jobs() {
     return {
         {Id::no_such_layer, phrase("the job has not so many layers, but %1")},
-        {Id::no_such_first_layer, phrase("the job has no such layer; the first is 0")},
-        {Id::layers_not_whole, phrase("layers are counted from 0, in whole numbers")},
+        {Id::no_such_first_layer, phrase("the job has no such layer")},
+        {Id::layers_not_whole, phrase("a layer is a whole number")},
         {Id::job_looked_at, phrase("a published job is being looked at; start once it is accepted")},
         {Id::nothing_carved, phrase("nothing was carved yet")},
         {Id::checkpoint_damaged,
@@ -233,9 +233,17 @@ Phrase way_out(MachineState state) {
     }
 }
 
-/// As the window writes it.
+/// As the window writes it: it counts layers and points from 1, the core from 0.
 std::string shown_argument(const Argument& argument, const std::string& words) {
-    return argument.kind == ArgumentKind::axis ? axis_letter(static_cast<Axis>(argument.bits)) : words;
+    switch (argument.kind) {
+        case ArgumentKind::axis:
+            return axis_letter(static_cast<Axis>(argument.bits));
+        case ArgumentKind::layer:
+        case ArgumentKind::point:
+            return std::to_string(argument.bits + 1);
+        default:
+            return words;
+    }
 }
 
 /// What an error without a message says, without "hold: " and the like.

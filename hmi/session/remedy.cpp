@@ -9,6 +9,7 @@
 
 #include "hmi/cam/job_plan.hpp"
 #include "hmi/session/display_text.hpp"
+#include "shared/message/message.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -84,7 +85,7 @@ std::vector<Remedy> slicing_remedies(const Error& error, const model::Mesh& mesh
 }
 
 std::vector<Remedy> publishing_remedies(const Error& error) {
-    if (!says(error, "slice it again with the core's profile")) return {};
+    if (error.said.id != MessageId::job_for_other_machine) return {};
     return {{Kind::core_profile}};
 }
 

@@ -5855,8 +5855,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слои</translation>
         </message>
         <message>
-            <source>layers are counted from 0, in whole numbers</source>
-            <translation>слои считаются с 0, целыми числами</translation>
+            <source>a layer is a whole number</source>
+            <translation>номер слоя — целое число</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>
@@ -6855,8 +6855,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сторожевой процесс завершился; запустите ядро снова</translation>
         </message>
         <message>
-            <source>the job has no such layer; the first is 0</source>
-            <translation>в задании нет такого слоя; первый — 0</translation>
+            <source>the job has no such layer</source>
+            <translation>в задании нет такого слоя</translation>
         </message>
         <message>
             <source>the job has not so many layers, but %1</source>

@@ -5817,7 +5817,7 @@ N、Shift+N  下一条、上一条记录
         </message>
         <message>
             <source>layer %1, point %2: the radius of %3 is not that in which the layer below ends; slice the model again</source>
-            <translation>第 %1 层，第 %2 点：%3 的半径与下一层末端的半径不同；请重新切片</translation>
+            <translation>第 %1 层，第 %2 点：%3 的半径与下方一层末端的半径不同；请重新切片</translation>
         </message>
         <message>
             <source>layer %1, point %2: the radius of %3, %4, is beyond the travel, which ends at %5; make the model smaller</source>
@@ -5833,11 +5833,11 @@ N、Shift+N  下一条、上一条记录
         </message>
         <message>
             <source>layer %1: the height of %2 does not lie above the layer below, %3; use fewer layers</source>
-            <translation>第 %1 层：高度 %2 不高于下一层的 %3；请减少层数</translation>
+            <translation>第 %1 层：高度 %2 不高于下方一层的 %3；请减少层数</translation>
         </message>
         <message>
             <source>layer %1: the height of %2 is not that of the layer below, %3, as in the ring that closes a spiral; slice the model again</source>
-            <translation>第 %1 层：高度 %2 与下一层的 %3 不同，而闭合螺旋的环应相同；请重新切片</translation>
+            <translation>第 %1 层：高度 %2 与下方一层的 %3 不同，而闭合螺旋的环应相同；请重新切片</translation>
         </message>
         <message>
             <source>layer %1: the height of %2 lies outside the travel of Y, %3 to %4; make the model smaller</source>
@@ -5848,8 +5848,8 @@ N、Shift+N  下一条、上一条记录
             <translation>层数</translation>
         </message>
         <message>
-            <source>layers are counted from 0, in whole numbers</source>
-            <translation>层从 0 开始计数，须为整数</translation>
+            <source>a layer is a whole number</source>
+            <translation>层号须为整数</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>
@@ -6848,8 +6848,8 @@ N、Shift+N  下一条、上一条记录
             <translation>看护进程已结束；请重新启动核心</translation>
         </message>
         <message>
-            <source>the job has no such layer; the first is 0</source>
-            <translation>作业没有这一层；第一层是 0</translation>
+            <source>the job has no such layer</source>
+            <translation>作业没有这一层</translation>
         </message>
         <message>
             <source>the job has not so many layers, but %1</source>

@@ -120,8 +120,9 @@ std::optional<Result<void>> judgement(const SegmentHeader& header, std::uint64_t
     if (verdict->generation == generation) {
         if (verdict->accepted == 1) return Result<void>{};
         const std::vector<Message> said = said_in(*verdict);
-        return error_from(ErrorCode::machine_refused,
-                          said.empty() ? message_of(MessageId::job_refused_without_reason) : said.front());
+        return error_from(ErrorCode::machine_refused, said.empty() || said.front().is_none()
+                                                          ? message_of(MessageId::job_refused_without_reason)
+                                                          : said.front());
     }
     if (verdict->generation < generation) return std::nullopt;
     // Read after the verdict: a generation accepted before it is still there unless another was accepted

@@ -89,6 +89,10 @@ TEST_F(SegmentJobs, ARefusalWithoutAMessageSaysSo) {
     acknowledge_job(*core_, refused, false);
     EXPECT_EQ(wait_for_acceptance(*hmi_, refused, milliseconds{1000}).error().said.id,
               MessageId::job_refused_without_reason);
+    const auto also = publish_job(*hmi_, test::make_job(2, 50, 50)).value();
+    acknowledge_job(*core_, also, false, {psicarve::Message{}});
+    EXPECT_EQ(wait_for_acceptance(*hmi_, also, milliseconds{1000}).error().said.id,
+              MessageId::job_refused_without_reason);
 }
 
 TEST_F(SegmentJobs, ARefusedJobAloneIsNoCurrentJob) {

@@ -45,6 +45,17 @@ TEST(MessagePhrase, NamesTheCommandOnceAndInTheWindowsWords) {
     EXPECT_EQ(in_english(core_phrase(machine::alarm_error(in_alarm))), "alarm: emergency stop");
 }
 
+TEST(MessagePhrase, CountsLayersAndPointsFromOneAsTheWindowDoes) {
+    EXPECT_EQ(
+        in_english(message_phrase(message_of(MessageId::no_layer_finished_but_earlier, layer_argument(40)))),
+        "no layer was finished; start from the beginning, or with layer 41 for the piece of before");
+    EXPECT_EQ(in_english(message_phrase(message_of(MessageId::spiral_not_joined, layer_argument(0),
+                                                   point_argument(0), argument_of(Axis::r2),
+                                                   pulses_argument(2), pulses_argument(1)))),
+              "layer 1, point 1: the radius of R2 is not that in which the layer below ends; slice the model "
+              "again");
+}
+
 TEST(MessagePhrase, LeavesAnErrorWithoutAMessageAsItIs) {
     const Error text{ErrorCode::machine_refused, "something else: 12 %"};
     EXPECT_EQ(in_english(core_phrase(text)), "something else: 12 %");

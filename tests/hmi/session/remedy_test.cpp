@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hmi/cam/job_builder.hpp"
+#include "shared/wording/wording.hpp"
 #include "tests/hmi/model/shapes.hpp"
 
 namespace psicarve::session {
@@ -95,10 +96,10 @@ TEST(Remedies, LookForAnAxisInTheModelOnceTheChosenOneMissesIt) {
 }
 
 TEST(Remedies, SliceAgainByTheCoresProfile) {
-    EXPECT_EQ(publishing_remedies({ErrorCode::machine_refused,
-                                   "the job was made for another machine: axis.r1.pulses_per_mm differ; "
-                                   "slice it again with the core's profile"}),
-              (std::vector<Remedy>{{Kind::core_profile}}));
+    const Error refused =
+        error_from(ErrorCode::machine_refused,
+                   with_text(message_of(MessageId::job_for_other_machine), "axis.r1.pulses_per_mm"));
+    EXPECT_EQ(publishing_remedies(refused), (std::vector<Remedy>{{Kind::core_profile}}));
     EXPECT_TRUE(publishing_remedies({ErrorCode::no_core, "no core"}).empty());
 }
 

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -156,6 +158,10 @@ struct KnownLayer {
     double least_s;
     double most;  ///< of T_ref over that
 };
+
+void PrintTo(const KnownLayer& layer, std::ostream* out) {
+    *out << layer.table;
+}
 
 class KnownLayers : public ::testing::TestWithParam<KnownLayer> {};
 

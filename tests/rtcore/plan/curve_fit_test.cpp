@@ -139,6 +139,7 @@ TEST(CurveFit, BendsWhereBendingWeighsLess) {
     std::mt19937_64 random{29};
     for (int round = 0; round < 20; ++round) {
         std::vector<std::int64_t> radii;
+        radii.reserve(80);
         for (int i = 0; i < 80; ++i) radii.push_back(6000 + static_cast<std::int64_t>(random() % 40));
         Fitted curve = fitted(points_of(radii));
         const std::vector<Lanes> even = curve.fit.control();

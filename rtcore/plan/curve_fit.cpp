@@ -98,6 +98,8 @@ void CurveFit::prepare(const NodesView& nodes) {
     count_ = nodes.cell.size();
     bend_.assign(count_, Row{});
     value_.assign(count_, Row{0.0, 1.0, 0.0});
+    weight_.resize(count_);
+    for (std::size_t j = 0; j < count_; ++j) load(nodes.weight[j], weight_[j].axes);
     stiffness_.assign(count_, {});
     length_ = 0.0;
     double after = 1.0 / nodes.control_step[0];
@@ -113,15 +115,16 @@ void CurveFit::prepare(const NodesView& nodes) {
         const double tilt = 0.5 * offset;
         value_[j] = {lift * first - tilt * before, 1.0 - lift * (first + last) + tilt * (before - after),
                      lift * last + tilt * after};
-        const double weight = std::sqrt(cell);
-        const Row row{weight * first, -weight * (first + last), weight * last};
+        const double root = std::sqrt(cell);
+        const Row row{root * first, -root * (first + last), root * last};
         bend_[j] = row;
-        stiffness_[j - 1][0] += row.before * row.before;
-        stiffness_[j - 1][1] += row.before * row.at;
-        stiffness_[j - 1][2] += row.before * row.after;
-        stiffness_[j][0] += row.at * row.at;
-        stiffness_[j][1] += row.at * row.after;
-        stiffness_[j + 1][0] += row.after * row.after;
+        const Vec weight = weight_[j].axes;
+        stiffness_[j - 1][0].axes += weight * (row.before * row.before);
+        stiffness_[j - 1][1].axes += weight * (row.before * row.at);
+        stiffness_[j - 1][2].axes += weight * (row.before * row.after);
+        stiffness_[j][0].axes += weight * (row.at * row.at);
+        stiffness_[j][1].axes += weight * (row.at * row.after);
+        stiffness_[j + 1][0].axes += weight * (row.after * row.after);
     }
 }
 
@@ -160,7 +163,8 @@ void CurveFit::start_pressing() {
     for (std::size_t j = 1; j + 1 < count_; ++j) {
         const Vec &before = points_[j - 1].axes, &at = points_[j].axes, &after = points_[j + 1].axes;
         const Row& row = bend_[j];
-        const Vec force = row.at * (row.before * before + row.at * at + row.after * after);
+        const Vec force =
+            weight_[j].axes * (row.at * (row.before * before + row.at * at + row.after * after));
         side_[j].axes = force < 0.0 ? -force : force;
         mean += side_[j].axes;
         const Row& value = value_[j];
@@ -218,18 +222,19 @@ void CurveFit::advance_and_eliminate() {
             push_after = -weight_after * residual;
             points_[j + 2].axes += distance_step * change_[j + 2].axes;
             const Row& row = bend_[j + 1];
-            bend_after =
+            const Vec bent =
                 row.before * points_[j].axes + row.at * points_[j + 1].axes + row.after * points_[j + 2].axes;
-            bending += bend_after * bend_after;
+            bend_after = weight_[j + 1].axes * bent;
+            bending += bent * bend_after;
         }
         if (j >= begin_ && j < end_) {
             const Row &before = value_[j - 1], &at = value_[j], &after = value_[j + 1];
             Band& band = band_[j];
-            band.at = stiffness_[j][0] + weight_after * (after.before * after.before) +
+            band.at = stiffness_[j][0].axes + weight_after * (after.before * after.before) +
                       weight * (at.at * at.at) + weight_before * (before.after * before.after);
-            band.next =
-                stiffness_[j][1] + weight_after * (after.before * after.at) + weight * (at.at * at.after);
-            band.second = stiffness_[j][2] + weight_after * (after.before * after.after);
+            band.next = stiffness_[j][1].axes + weight_after * (after.before * after.at) +
+                        weight * (at.at * at.after);
+            band.second = stiffness_[j][2].axes + weight_after * (after.before * after.after);
             Vec side = after.before * push_after + at.at * push + before.after * push_before -
                        bend_[j + 1].before * bend_after - bend_[j].at * bend -
                        bend_[j - 1].after * bend_before;

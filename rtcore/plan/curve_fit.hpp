@@ -18,7 +18,7 @@ struct DecidedEnds {
     std::span<const Lanes> last;
 };
 
-/// The curve of least bending, the integral of q''^2, that stays between low and high at every node:
+/// The curve of least bending, the integral of weight * q''^2, that stays between low and high at every node:
 /// its control points. O(nodes); primal-dual interior point method with Mehrotra's predictor and corrector,
 /// all axes side by side. Source: Nocedal and Wright, Numerical Optimization, ch. 16.
 ///
@@ -85,10 +85,11 @@ private:
     std::size_t begin_ = 1;  ///< of the control points that are not decided
     std::size_t end_ = 0;
     double length_ = 0.0;
-    std::vector<Row> bend_;                         ///< sqrt(H_j) * q''_j
-    std::vector<Row> value_;                        ///< q(u_j)
-    std::vector<std::array<double, 3>> stiffness_;  ///< bend' * bend, three diagonals
-    std::vector<Four> points_;                      ///< control points
+    std::vector<Row> bend_;                       ///< sqrt(H_j) * q''_j
+    std::vector<Row> value_;                      ///< q(u_j)
+    std::vector<Four> weight_;                    ///< of that, squared
+    std::vector<std::array<Four, 3>> stiffness_;  ///< bend' * weight * bend, three diagonals
+    std::vector<Four> points_;                    ///< control points
     std::vector<Four> change_;
     std::vector<Four> side_;
     std::vector<State> states_;

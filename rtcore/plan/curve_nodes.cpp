@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMostNodesToTheMiddle = 14;
 // Where a tight corner is, this many steps make up each half of the turn.
 constexpr double kStepsInATurn = 2.0;
+// Where a turn takes all the room that it has, it is to bend evenly.
+constexpr std::size_t kPartsAtASharpCorner = 3;
 // Where speeds change much within a span: cells so short that they are known everywhere.
 constexpr std::size_t kPartsOfALongSpan = 8;
 constexpr double kLongSpan_s = 0.03;
@@ -166,6 +168,7 @@ private:
         nodes_.cell.resize(last + 1);
         nodes_.offset.resize(last + 1);
         nodes_.control_step.resize(last + 1);
+        nodes_.weight.assign(last + 1, Lanes{1.0, 1.0, 1.0, 1.0});
         double before = 0.0;
         for (std::size_t j = 0; j <= last; ++j) {
             const double after = j < last ? 0.5 * nodes_.step[j] : 0.0;
@@ -200,7 +203,10 @@ CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> p
             span == first || !corners[span - 1].is_tight ? Grading{} : graded(corners[span - 1].radius, half);
         const Grading to =
             span + 1 == last || !corners[span].is_tight ? Grading{} : graded(corners[span].radius, half);
-        const std::size_t parts = length > kLongSpan_s || spans[span].is_link ? kPartsOfALongSpan : 2;
+        const bool is_sharp =
+            (span > first && corners[span - 1].is_sharp) || (span + 1 < last && corners[span].is_sharp);
+        const bool is_long = length > kLongSpan_s || spans[span].is_link;
+        const std::size_t parts = is_long ? kPartsOfALongSpan : is_sharp ? kPartsAtASharpCorner : 2;
         maker.begin_span(span);
         const bool is_plain = !spans[span].is_link && from.count + to.count == 0;
         if (length > kShortSpan_s || !is_plain) maker.add_way(from, to, length / static_cast<double>(parts));

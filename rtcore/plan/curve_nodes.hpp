@@ -26,6 +26,7 @@ struct CurveNodes {
     std::vector<double> control_step;     ///< m_j+1 - m_j; the last is unused
     std::vector<double> offset;           ///< u_j - m_j
     std::vector<Lanes> low, high;         ///< where q(u_j) may be
+    std::vector<Lanes> weight;            ///< of cell j's bending, > 0
     std::vector<std::uint32_t> point_at;  ///< index of the path point that the node stands on, or kNoPoint
     std::vector<std::uint32_t> span_at;   ///< index of the span in which the node begins
     static constexpr std::uint32_t kNoPoint = ~std::uint32_t{0};
@@ -35,21 +36,23 @@ struct CurveNodes {
 /// fit is told; nothing is asked of it there.
 struct NodesView {
     std::span<const double> cell, control_step, offset;
-    std::span<const Lanes> low, high;
+    std::span<const Lanes> low, high, weight;
 
     /// Nodes [first, last].
     static NodesView of(const CurveNodes& nodes, std::size_t first, std::size_t last) {
         const std::size_t count = last + 1 - first;
         return {std::span(nodes.cell).subspan(first, count),
                 std::span(nodes.control_step).subspan(first, count),
-                std::span(nodes.offset).subspan(first, count), std::span(nodes.low).subspan(first, count),
-                std::span(nodes.high).subspan(first, count)};
+                std::span(nodes.offset).subspan(first, count),
+                std::span(nodes.low).subspan(first, count),
+                std::span(nodes.high).subspan(first, count),
+                std::span(nodes.weight).subspan(first, count)};
     }
     static NodesView of(const CurveNodes& nodes) { return of(nodes, 0, nodes.cell.size() - 1); }
 };
 
-/// Nodes for points [first, last] of a path: two a span, one where points are dense, more where the tube is
-/// tight. `memory` is used again.
+/// Nodes for points [first, last] of a path: two a span, three beside a sharp corner, one where points are
+/// dense, more where the tube is tight. All cells weigh the same. `memory` is used again.
 CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> points,
                        std::span<const PathSpan> spans, std::span<const PathCorner> corners,
                        std::size_t first, std::size_t last, CurveNodes memory = {});

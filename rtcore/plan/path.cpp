@@ -22,6 +22,8 @@ constexpr double kTurnShare = 0.125;
 // The tube is looked at in the nodes; between them the curve may go a little further.
 constexpr double kTubeShare = 0.93;
 constexpr double kFlankShare = 0.75;
+// A turn that goes over more than so much of its room is an easy one.
+constexpr double kSharpRoom = 2.0;
 // A fitted turn is slower than the widest parabola that the tube has room for: (du/dt)^2 as a share of that
 // one's.
 constexpr double kFittedShare = 0.6;
@@ -110,7 +112,7 @@ bool stop_is_sooner(double accel, double length, double turn_speed2, double stop
 PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, const PathSpan& after) {
     const double room = 0.5 * (before.length + after.length);
     const double offset_per_turn = 0.5 * before.length * after.length / room;
-    PathCorner corner{false, false, room};
+    PathCorner corner{false, false, false, kSharpRoom * room};
     double turn_speed2 = 1.0;
     double turn_length = room;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -129,6 +131,7 @@ PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, c
     }
     const double stop2 = std::min(stop_speed2(limits, before.slope, &after.slope),
                                   stop_speed2(limits, after.slope, &before.slope));
+    corner.is_sharp = corner.radius < kSharpRoom * room;
     corner.is_tight = corner.radius < room;
     corner.is_stop = turn_speed2 <= stop2 ||
                      (kLeastStopShare * turn_speed2 <= stop2 &&

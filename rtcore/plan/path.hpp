@@ -52,7 +52,8 @@ struct PathSpan {
 struct PathCorner {
     bool is_stop;   ///< the tube is so tight that coming to rest is faster
     bool is_tight;  ///< the tube lets the curve turn over a part of the spans only
-    double radius;  ///< half the length over which the tube lets the curve turn, in u [s]
+    bool is_sharp;  ///< or over twice that at most
+    double radius;  ///< half the length over which the tube lets the curve turn, at most so, in u [s]
 };
 
 /// By head: where its tip is at the larger of two radii.

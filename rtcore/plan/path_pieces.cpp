@@ -223,14 +223,14 @@ bool PieceMaker::set_line(std::size_t first, std::size_t end, std::size_t timing
     const Together& together = together_[end - 1 - first];
     const double mean_speed = 0.5 * (bits_[first].begin_speed[0] + bits_[end - 1].end_speed[0]);
     const double length = mean_speed * together.seconds[0];
+    if (timing == 0 && std::abs(length - together.length) > kMostStretch * together.length) return false;
     line.speed = bits_[first].begin_speed[timing];
     const double end_speed = bits_[end - 1].end_speed[timing];
     const double seconds = 2.0 * length / (line.speed + end_speed);
     line.half_accel = 0.5 * (end_speed - line.speed) / seconds;
     line.inverse_length = 1.0 / length;
     line.time_share = timing == 0 ? 1.0 : seconds / together.seconds[timing];
-    if (timing == 0) return std::abs(length - together.length) <= kMostStretch * together.length;
-    return line.time_share >= 1.0 - kMostHaste;
+    return timing == 0 || line.time_share >= 1.0 - kMostHaste;
 }
 
 // Compared at the bits' middles and ends, at the instants at which the curve is there: in a bit the

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "rtcore/plan/bending_weights.hpp"
 #include "rtcore/plan/curve_check.hpp"
 #include "shared/base/units.hpp"
 
@@ -20,6 +21,10 @@ constexpr std::size_t kSpansAround = 12;
 constexpr std::size_t kSpansAWindow = 96;
 // Whole pulses in whole ticks shake a little.
 constexpr double kAccelShare = 0.985;
+// Less of the time at an axis' acceleration than that: no other curve would be faster by much.
+constexpr double kLeastLimitedShare = 0.1;
+// Another curve is to be worth the cuts that bending more evenly takes.
+constexpr double kWorthwhile = 0.998;
 
 Lanes accel_of(const MachineLimits& limits) {
     Lanes accel;
@@ -30,7 +35,7 @@ Lanes accel_of(const MachineLimits& limits) {
 }  // namespace
 
 StretchPlanner::StretchPlanner(const MachineLimits& limits)
-    : limits_(limits), fit_(accel_of(limits)), timing_(accel_of(limits)) {
+    : limits_(limits), accel_(accel_of(limits)), fit_(accel_), timing_(accel_) {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         mm_per_pulse_[k] = 1.0 / limits.axes[k].pulses_per_unit;
         inverse_speed_[k] = 1.0 / (kSpeedShare * limits.axes[k].speed_pps);
@@ -45,51 +50,69 @@ StretchPlanner::StretchPlanner(const MachineLimits& limits)
 double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                             std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                             std::vector<PathPiece>& pieces) {
-    fit(points, spans, corners, first, last);
+    spans_.resize(spans.size());
+    std::copy(spans.begin() + static_cast<std::ptrdiff_t>(first),
+              spans.begin() + static_cast<std::ptrdiff_t>(last),
+              spans_.begin() + static_cast<std::ptrdiff_t>(first));
+    curve_.nodes = curve_nodes(limits_, points, spans_, corners, first, last, std::move(curve_.nodes));
+    fit(points);
+    time(spans);
+    if (!spans[first].is_link) bend_evenly(points, spans);
+    add_pieces(points, pieces);
+    return curve_.seconds;
+}
+
+// The fastest timing of the curve, at 100 % and at twice the feed.
+void StretchPlanner::time(std::span<const PathSpan> spans) {
+    const std::size_t first = curve_.nodes.span_at.front();
+    const std::size_t last = curve_.nodes.span_at.back();
     note_outside();
     limit_speeds();
     const Lanes* before = first > 0 ? &spans[first - 1].slope : nullptr;
     const Lanes* after = last < spans.size() ? &spans[last].slope : nullptr;
     // At its ends the curve may be steeper than its chords.
     const double begin2 = std::min(stop_speed2(limits_, spans[first].slope, before),
-                                   stop_speed2(limits_, cells_.front().slope_begin, before));
+                                   stop_speed2(limits_, curve_.cells.front().slope_begin, before));
     const double end2 = std::min(stop_speed2(limits_, spans[last - 1].slope, after),
-                                 stop_speed2(limits_, cells_.back().slope_end, after));
+                                 stop_speed2(limits_, curve_.cells.back().slope_end, after));
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
         bound2_[timing].back() = std::min(bound2_[timing].back(), end2);
     }
-    timing_.set_path(cells_);
+    timing_.set_path(curve_.cells);
     const std::array<SpeedLimits, kTimingCount> limits{SpeedLimits{bound2_[0], inner2_[0]},
                                                        SpeedLimits{bound2_[1], inner2_[1]}};
     if (bound2_[1] == bound2_[0]) {
-        timing_.solve(limits[0], speed2_[0]);
-        speed2_[1] = speed2_[0];
+        timing_.solve(limits[0], curve_.speed2[0]);
+        curve_.speed2[1] = curve_.speed2[0];
     } else {
-        timing_.solve_both(limits, speed2_);
+        timing_.solve_both(limits, curve_.speed2);
         // Greedy passes may lose a little where an axis turns back.
-        for (std::size_t i = 0; i < speed2_[1].size(); ++i) {
-            speed2_[1][i] = std::max(speed2_[1][i], speed2_[0][i]);
+        for (std::size_t i = 0; i < curve_.speed2[1].size(); ++i) {
+            curve_.speed2[1][i] = std::max(curve_.speed2[1][i], curve_.speed2[0][i]);
         }
     }
-    double seconds = 0.0;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-        seconds += cell_seconds(cells_[i].length, speed2_[0][i], speed2_[0][i + 1]);
+    curve_.seconds = 0.0;
+    for (std::size_t i = 0; i < curve_.cells.size(); ++i) {
+        curve_.seconds += cell_seconds(curve_.cells[i].length, curve_.speed2[0][i], curve_.speed2[0][i + 1]);
     }
-    add_pieces(points, pieces);
-    return seconds;
+}
+
+// The curve once more, with what its timing says of where bending costs time. The faster of the two counts.
+void StretchPlanner::bend_evenly(std::span<const PathPoint> points, std::span<const PathSpan> spans) {
+    const double limited_share = weigh_bending(curve_.cells, curve_.speed2[0], accel_, curve_.nodes.weight);
+    if (limited_share < kLeastLimitedShare) return;
+    std::swap(curve_, least_bent_);
+    curve_.nodes = least_bent_.nodes;
+    const bool is_within = fit(points);
+    if (is_within) time(spans);
+    if (!is_within || curve_.seconds > kWorthwhile * least_bent_.seconds) std::swap(curve_, least_bent_);
 }
 
 // The tube is looked at in the nodes; where the curve leaves it in between, the tube is narrowed and the
 // curve fitted again around there.
-void StretchPlanner::fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
-                         std::span<const PathCorner> corners, std::size_t first, std::size_t last) {
-    spans_.resize(spans.size());
-    std::copy(spans.begin() + static_cast<std::ptrdiff_t>(first),
-              spans.begin() + static_cast<std::ptrdiff_t>(last),
-              spans_.begin() + static_cast<std::ptrdiff_t>(first));
-    nodes_ = curve_nodes(limits_, points, spans_, corners, first, last, std::move(nodes_));
-    const NodeRange whole{0, nodes_.step.size() - 1};
+bool StretchPlanner::fit(std::span<const PathPoint> points) {
+    const NodeRange whole{0, curve_.nodes.step.size() - 1};
     ranges_.assign(1, whole);
     for (int fits = 1;; ++fits) {
         const auto is_fitted = [this](const NodeRange& range) { return fit_again(range); };
@@ -99,27 +122,29 @@ void StretchPlanner::fit(std::span<const PathPoint> points, std::span<const Path
             ranges_.assign(1, whole);
             fit_whole();
         }
-        cells_of(nodes_, control_, cells_, cell_at_);
-        if (fits == kMostFits) return;
+        cells_of(curve_.nodes, curve_.control, curve_.cells, curve_.cell_at);
+        if (fits == kMostFits) return false;
         narrowed_.clear();
         for (const NodeRange& range : ranges_) {
-            narrow_where_outside(limits_, points, {nodes_, cells_, cell_at_}, range, spans_, narrowed_);
+            narrow_where_outside(limits_, points, {curve_.nodes, curve_.cells, curve_.cell_at}, range, spans_,
+                                 narrowed_);
         }
-        if (narrowed_.empty()) return;
+        if (narrowed_.empty()) return true;
         gather_narrowed_ranges();
-        for (const std::uint32_t span : narrowed_) bind_again(limits_, points, spans_, node_of(span), nodes_);
+        for (const std::uint32_t span : narrowed_)
+            bind_again(limits_, points, spans_, node_of(span), curve_.nodes);
     }
 }
 
 // Where a span begins, or the last one ends.
 std::size_t StretchPlanner::node_of(std::size_t span) const {
-    const auto at = std::lower_bound(nodes_.span_at.begin(), nodes_.span_at.end(), span);
-    return static_cast<std::size_t>(at - nodes_.span_at.begin());
+    const auto at = std::lower_bound(curve_.nodes.span_at.begin(), curve_.nodes.span_at.end(), span);
+    return static_cast<std::size_t>(at - curve_.nodes.span_at.begin());
 }
 
 void StretchPlanner::gather_narrowed_ranges() {
-    const std::size_t first = nodes_.span_at.front();
-    const std::size_t last = nodes_.span_at.back();
+    const std::size_t first = curve_.nodes.span_at.front();
+    const std::size_t last = curve_.nodes.span_at.back();
     ranges_.clear();
     for (const std::uint32_t span : narrowed_) {
         const NodeRange around{node_of(std::max(first + kSpansAround, std::size_t{span}) - kSpansAround),
@@ -133,20 +158,20 @@ void StretchPlanner::gather_narrowed_ranges() {
 }
 
 void StretchPlanner::fit_whole() {
-    fit_.solve(NodesView::of(nodes_));
-    control_ = fit_.control();
+    fit_.solve(NodesView::of(curve_.nodes));
+    curve_.control = fit_.control();
 }
 
 // From begin to end. How the curve goes on many spans later changes nothing where it is: what was fitted
 // beyond a window is fitted again with the next one. False if one of them was not found.
 bool StretchPlanner::fit_in_windows() {
-    control_.resize(nodes_.step.size());
-    const std::size_t last_span = nodes_.span_at.back();
-    std::size_t span = nodes_.span_at.front();
+    curve_.control.resize(curve_.nodes.step.size());
+    const std::size_t last_span = curve_.nodes.span_at.back();
+    std::size_t span = curve_.nodes.span_at.front();
     for (NodeRange range{0, 0};; range.first = node_of(span)) {
         span += kSpansAWindow;
         const bool is_last = span + kSpansAround >= last_span;
-        range.last = is_last ? nodes_.step.size() - 1 : node_of(span + kSpansAround);
+        range.last = is_last ? curve_.nodes.step.size() - 1 : node_of(span + kSpansAround);
         if (!fit_part(range, 0)) return false;
         if (is_last) return true;
     }
@@ -154,17 +179,17 @@ bool StretchPlanner::fit_in_windows() {
 
 // Outside the range the curve stays as it is. False, and nothing changed, if no curve within was found.
 bool StretchPlanner::fit_again(const NodeRange& range) {
-    return fit_part(range, range.last + 1 < nodes_.step.size() ? 2 : 0);
+    return fit_part(range, range.last + 1 < curve_.nodes.step.size() ? 2 : 0);
 }
 
 bool StretchPlanner::fit_part(const NodeRange& range, std::size_t decided_last) {
-    const std::span<const Lanes> decided{control_};
-    fit_.solve(NodesView::of(nodes_, range.first, range.last),
+    const std::span<const Lanes> decided{curve_.control};
+    fit_.solve(NodesView::of(curve_.nodes, range.first, range.last),
                {decided.subspan(range.first, range.first > 0 ? 2 : 0),
                 decided.subspan(range.last - 1, decided_last)});
     if (!fit_.has_converged()) return false;
     std::copy(fit_.control().begin(), fit_.control().end(),
-              control_.begin() + static_cast<std::ptrdiff_t>(range.first));
+              curve_.control.begin() + static_cast<std::ptrdiff_t>(range.first));
     return true;
 }
 
@@ -197,12 +222,12 @@ void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vect
 
 // A cell reaches half-way to its neighbours' nodes, so into two spans where it stands on a point.
 void StretchPlanner::note_outside() {
-    const std::size_t last = cells_.size() - 1;
+    const std::size_t last = curve_.cells.size() - 1;
     is_fed_.resize(last + 1);
     for (std::size_t j = 0; j <= last; ++j) {
         for (std::size_t head = 0; head < 2; ++head) {
-            const bool before = j == 0 || spans_[nodes_.span_at[j - 1]].is_outside[head];
-            const bool after = j == last || spans_[nodes_.span_at[j]].is_outside[head];
+            const bool before = j == 0 || spans_[curve_.nodes.span_at[j - 1]].is_outside[head];
+            const bool after = j == last || spans_[curve_.nodes.span_at[j]].is_outside[head];
             is_fed_[j][head] = !before || !after;
         }
     }
@@ -215,7 +240,7 @@ PSICARVE_FOR_WIDE_REGISTERS
 void StretchPlanner::limit_speeds() {
     constexpr Vec kPlaces{0.0, 0.25, 0.5, 0.75};
     constexpr Vec kBeginAlone{1.0, 0.0, 0.0, 0.0};
-    const std::size_t count = cells_.size();
+    const std::size_t count = curve_.cells.size();
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bound2_[timing].resize(count + 1);
         inner2_[timing].resize(count);
@@ -223,9 +248,9 @@ void StretchPlanner::limit_speeds() {
     for (std::size_t i = 0; i <= count; ++i) {
         // The last cell's end as the begin of one more.
         const bool is_end = i == count;
-        const PathCell& cell = cells_[is_end ? i - 1 : i];
+        const PathCell& cell = curve_.cells[is_end ? i - 1 : i];
         const Lanes& begin = is_end ? cell.slope_end : cell.slope_begin;
-        const Lanes& begin_at = is_end ? control_.back() : cell_at_[i];
+        const Lanes& begin_at = is_end ? curve_.control.back() : curve_.cell_at[i];
         const Vec along = is_end ? Vec{} : kPlaces * cell.length;
         std::array<Four, kAxisCount> slope;
         Vec need{};
@@ -258,22 +283,22 @@ void StretchPlanner::limit_speeds() {
 }
 
 void StretchPlanner::add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces) {
-    PieceMaker maker(limits_, points, nodes_.point_at.front(), control_.front(), pieces);
-    for (std::size_t j = 0; j < cells_.size(); ++j) {
+    PieceMaker maker(limits_, points, curve_.nodes.point_at.front(), curve_.control.front(), pieces);
+    for (std::size_t j = 0; j < curve_.cells.size(); ++j) {
         std::array<double, kTimingCount> begin2;
         std::array<double, kTimingCount> end2;
         for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
-            begin2[timing] = speed2_[timing][j];
-            end2[timing] = speed2_[timing][j + 1];
+            begin2[timing] = curve_.speed2[timing][j];
+            end2[timing] = curve_.speed2[timing][j + 1];
         }
-        maker.begin_cell(cells_[j], cell_at_[j], begin2, end2);
-        const std::uint32_t point = nodes_.point_at[j];
-        const double before = j > 0 ? 0.5 * nodes_.step[j - 1] : 0.0;
+        maker.begin_cell(curve_.cells[j], curve_.cell_at[j], begin2, end2);
+        const std::uint32_t point = curve_.nodes.point_at[j];
+        const double before = j > 0 ? 0.5 * curve_.nodes.step[j - 1] : 0.0;
         if (point == CurveNodes::kNoPoint || j == 0) {
-            maker.add(0.0, cells_[j].length, PathPiece::kNoPoint);
+            maker.add(0.0, curve_.cells[j].length, PathPiece::kNoPoint);
         } else {
             maker.add(0.0, before, point);
-            if (j + 1 < cells_.size()) maker.add(before, cells_[j].length, PathPiece::kNoPoint);
+            if (j + 1 < curve_.cells.size()) maker.add(before, curve_.cells[j].length, PathPiece::kNoPoint);
         }
     }
 }

@@ -20,7 +20,8 @@ namespace psicarve::plan {
 void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vector<PathCell>& cells,
               std::vector<Lanes>& cell_at);
 
-/// Makes a path of points into timed pieces: curve, timing, cuts. Keeps its memory from stretch to stretch.
+/// Makes a path of points into timed pieces: curve, timing, curve and timing again where that is faster,
+/// cuts. Keeps its memory from stretch to stretch.
 class StretchPlanner {
 public:
     explicit StretchPlanner(const MachineLimits& limits);
@@ -32,8 +33,19 @@ public:
                 std::vector<PathPiece>& pieces);
 
 private:
-    void fit(std::span<const PathPoint> points, std::span<const PathSpan> spans,
-             std::span<const PathCorner> corners, std::size_t first, std::size_t last);
+    /// A fitted curve and its timings.
+    struct Curve {
+        CurveNodes nodes;
+        std::vector<Lanes> control;
+        std::vector<PathCell> cells;
+        std::vector<Lanes> cell_at;  ///< position at each cell's begin [pulses]
+        std::array<std::vector<double>, kTimingCount> speed2;
+        double seconds = 0.0;  ///< at 100 %
+    };
+
+    bool fit(std::span<const PathPoint> points);
+    void time(std::span<const PathSpan> spans);
+    void bend_evenly(std::span<const PathPoint> points, std::span<const PathSpan> spans);
     std::size_t node_of(std::size_t span) const;
     void gather_narrowed_ranges();
     void fit_whole();
@@ -49,19 +61,17 @@ private:
     double rad_per_pulse_ = 0.0;
     Lanes inverse_speed_{};
     Timings inverse_feed2_{};
+    Lanes accel_;
     CurveFit fit_;
     SpeedProfile timing_;
     std::vector<PathSpan> spans_;  ///< with the bands that the curve needs
     std::vector<std::uint32_t> narrowed_;
     std::vector<NodeRange> ranges_;  ///< around those
-    CurveNodes nodes_;
-    std::vector<Lanes> control_;  ///< of the curve
-    std::vector<PathCell> cells_;
+    Curve curve_;
+    Curve least_bent_;
     std::vector<std::array<bool, 2>> is_fed_;  ///< by cell and head: a part of it may cut
-    std::vector<Lanes> cell_at_;               ///< position at each cell's begin [pulses]
     std::array<std::vector<double>, kTimingCount> bound2_;
     std::array<std::vector<InnerSpeeds2>, kTimingCount> inner2_;
-    std::array<std::vector<double>, kTimingCount> speed2_;
 };
 
 }  // namespace psicarve::plan

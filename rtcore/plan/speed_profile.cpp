@@ -84,7 +84,9 @@ private:
         double least;     ///< begin speed
     };
 
-    const Vec& tilt_of(std::size_t row) const { return row < kRows ? accel_.at[row].tilt : kInnerTilt; }
+    PSICARVE_INLINE const Vec& tilt_of(std::size_t row) const {
+        return row < kRows ? accel_.at[row].tilt : kInnerTilt;
+    }
 
     /// One row over d, by which the end speed is less than its limit.
     struct Line {
@@ -151,6 +153,7 @@ private:
 
     // The set of possible pairs is convex and holds (0, 0): walk down from end_limit along its upper edge
     // as long as the begin speed rises.
+    PSICARVE_FOR_WIDE_REGISTERS
     double walk_down(double end) const {
         Edge edge;
         for (int walked = 0;; ++walked) {
@@ -163,7 +166,7 @@ private:
         return std::max(0.0, edge.greatest);
     }
 
-    void edge_at(double end, Edge& edge) const {
+    PSICARVE_INLINE void edge_at(double end, Edge& edge) const {
         edge.upper[kRows].axes = inner_ - kInnerTilt * end;
         Vec upper = edge.upper[kRows].axes;
         Vec lower{};
@@ -191,7 +194,7 @@ private:
     }
 
     // Where, going down, another row takes over: from above, or the gap between lower and upper closes up.
-    double next_corner(double end, const Edge& edge) const {
+    PSICARVE_INLINE double next_corner(double end, const Edge& edge) const {
         if (edge.least > edge.greatest) {
             // Of rows that meet here the one that matters further down; 0 is the least of all speeds.
             const double none = edge.least > 0.0 ? -kNone : 0.0;

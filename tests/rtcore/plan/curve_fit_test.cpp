@@ -124,6 +124,41 @@ TEST(CurveFit, ASmoothTableLosesItsRounding) {
     EXPECT_LT(largest, 2.5 * own) << "rounding by half a pulse alone would be " << 1.0 / (span * span);
 }
 
+/// As bending(), each cell by its weight.
+double weighted_bending(const CurveNodes& nodes, const std::vector<Lanes>& control, std::size_t k) {
+    double sum = 0.0;
+    for (std::size_t j = 1; j + 1 < control.size(); ++j) {
+        const double before = (control[j][k] - control[j - 1][k]) / nodes.control_step[j - 1];
+        const double after = (control[j + 1][k] - control[j][k]) / nodes.control_step[j];
+        sum += nodes.weight[j][k] * (after - before) * (after - before) / nodes.cell[j];
+    }
+    return sum;
+}
+
+TEST(CurveFit, BendsWhereBendingWeighsLess) {
+    std::mt19937_64 random{29};
+    for (int round = 0; round < 20; ++round) {
+        std::vector<std::int64_t> radii;
+        radii.reserve(80);
+        for (int i = 0; i < 80; ++i) radii.push_back(6000 + static_cast<std::int64_t>(random() % 40));
+        Fitted curve = fitted(points_of(radii));
+        const std::vector<Lanes> even = curve.fit.control();
+        CurveNodes nodes = curve.nodes;
+        for (Lanes& weight : nodes.weight) weight[0] = random() % 2 == 0 ? 0.25 : 1.0;
+        curve.fit.solve(NodesView::of(nodes));
+        const std::vector<Lanes>& weighted = curve.fit.control();
+        EXPECT_LT(weighted_bending(nodes, weighted, 0), 0.99 * weighted_bending(nodes, even, 0)) << round;
+        EXPECT_GT(bending(nodes, weighted, 0), bending(nodes, even, 0)) << round;
+        // Other axes weigh what they did.
+        EXPECT_NEAR(bending(nodes, weighted, 1), bending(nodes, even, 1), 1e-9);
+        for (std::size_t j = 1; j + 1 < nodes.step.size(); ++j) {
+            const double value = value_at(nodes, weighted, j, 0);
+            ASSERT_GE(value, nodes.low[j][0] - 0.03) << round << " " << j;
+            ASSERT_LE(value, nodes.high[j][0] + 0.03) << round << " " << j;
+        }
+    }
+}
+
 TEST(CurveFit, AWiderTubeNeverNeedsMoreBending) {
     std::mt19937_64 random{23};
     std::vector<std::int64_t> radii;

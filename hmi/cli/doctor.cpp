@@ -26,7 +26,7 @@ constexpr CommandText kDoctorText{
 constexpr std::uint32_t kMostSeconds = 3600;
 
 struct DoctorOptions {
-    machine::LatencyWish wish;
+    machine::LatencyOptions wish;
     bool no_latency = false;
 };
 
@@ -66,7 +66,7 @@ nlohmann::ordered_json json_of(const std::vector<doctor::Finding>& findings) {
     return array;
 }
 
-Result<machine::LatencyResult> measured(const machine::LatencyWish& wish) {
+Result<machine::LatencyResult> measured(const machine::LatencyOptions& wish) {
     OperatorBreak operator_break;
     ProgressBar bar{"measuring"};
     const auto show = [&](const machine::LatencyProgress& now) {

@@ -30,7 +30,7 @@ constexpr std::uint32_t kMostPeriod_us = 1'000'000;
 constexpr std::uint32_t kMostPriority = 99;
 
 struct LatencyOptions {
-    machine::LatencyWish wish;
+    machine::LatencyOptions wish;
     std::string csv_path;
 };
 

@@ -53,12 +53,12 @@ double max_us(const machine::LatencyResult& result) {
 
 }  // namespace
 
-std::string latency_text(const machine::LatencyResult& result, const machine::LatencyWish& wish) {
+std::string latency_text(const machine::LatencyResult& result, const machine::LatencyOptions& options) {
     std::string text = picture_of(result);
     text += latency_words("late       median %.1f us, 99 %% %.1f us, 99.9 %% %.1f us, at most %.1f us\n",
                           result.late_us(0.5), result.late_us(0.99), result.late_us(0.999), max_us(result));
     text += latency_words("ticks      %llu of %u us, %llu missed\n",
-                          static_cast<unsigned long long>(result.ticks), wish.period_us,
+                          static_cast<unsigned long long>(result.ticks), options.period_us,
                           static_cast<unsigned long long>(result.missed));
     text += result.priority > 0 ? latency_words("thread     SCHED_FIFO %d", result.priority)
                                 : "thread     ordinary scheduling";

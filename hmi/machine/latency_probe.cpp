@@ -77,17 +77,17 @@ std::optional<LatencyProgress> progress_from(const std::string& line) {
                            .max_ns = json.value("max_ns", std::int64_t{0})};
 }
 
-std::vector<std::string> arguments_of(const LatencyWish& wish, const std::string& program) {
+std::vector<std::string> arguments_of(const LatencyOptions& options, const std::string& program) {
     std::vector<std::string> words{program,
                                    "--measure-latency",
                                    "--seconds",
-                                   std::to_string(wish.seconds),
+                                   std::to_string(options.seconds),
                                    "--period-us",
-                                   std::to_string(wish.period_us),
+                                   std::to_string(options.period_us),
                                    "--priority",
-                                   std::to_string(wish.priority),
+                                   std::to_string(options.priority),
                                    "--exit-with-parent"};
-    if (!wish.cpu.empty()) words.insert(words.end(), {"--cpu", wish.cpu});
+    if (!options.cpu.empty()) words.insert(words.end(), {"--cpu", options.cpu});
     return words;
 }
 
@@ -126,7 +126,7 @@ Result<LatencyResult> latency_result_from(std::string_view line) {
     }
 }
 
-Result<LatencyResult> measure_latency(const LatencyWish& wish,
+Result<LatencyResult> measure_latency(const LatencyOptions& options,
                                       const std::function<void(const LatencyProgress&)>& progress,
                                       const std::function<bool()>& must_end) {
     const auto program = find_core_program();
@@ -136,7 +136,7 @@ Result<LatencyResult> measure_latency(const LatencyWish& wish,
     auto pipe = open_pipe();
     if (!pipe) return pipe.error();
     const auto pid =
-        start_child({.arguments = arguments_of(wish, *program), .output = pipe->write_end.get()});
+        start_child({.arguments = arguments_of(options, *program), .output = pipe->write_end.get()});
     if (!pid) return pid.error();
     pipe->write_end.reset();
     Probe probe{*pid};

@@ -13,7 +13,7 @@
 
 namespace psicarve::machine {
 
-struct LatencyWish {
+struct LatencyOptions {
     std::uint32_t period_us = 50;
     std::uint32_t seconds = 10;
     std::uint32_t priority = kTickPriority;
@@ -49,7 +49,7 @@ Result<LatencyResult> latency_result_from(std::string_view line);
 
 /// Lets psicarve-rtcore measure. `progress` gets each second; once `must_end` returns true the measurement so
 /// far is the result.
-Result<LatencyResult> measure_latency(const LatencyWish& wish,
+Result<LatencyResult> measure_latency(const LatencyOptions& options,
                                       const std::function<void(const LatencyProgress&)>& progress,
                                       const std::function<bool()>& must_end);
 

@@ -19,13 +19,13 @@ ReplayPiece::~ReplayPiece() {
 }
 
 void ReplayPiece::want(std::int64_t time) {
-    lane_.deliver();
+    queue_.deliver();
     if (has_wanted_ && wanted_.load() == time) return;
     has_wanted_ = true;
     wanted_.store(time);
     // The task under way sees the new request, but may just have come to its end.
-    lane_.drop_waiting();
-    lane_.post([this]() -> session::WorkLane::Finish {
+    queue_.drop_waiting();
+    queue_.post([this]() -> session::BackgroundQueue::Finish {
         follow();
         return {};
     });

@@ -7,7 +7,7 @@
 
 #include "hmi/piece/piece_front.hpp"
 #include "hmi/replay/tool_timeline.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 
 namespace psicarve::replay {
 
@@ -23,18 +23,18 @@ public:
 
     void want(std::int64_t time);
     /// Whether the front is the piece at this time.
-    bool shows(std::int64_t time) const { return has_wanted_ && wanted_.load() == time && lane_.is_idle(); }
+    bool shows(std::int64_t time) const { return has_wanted_ && wanted_.load() == time && queue_.is_idle(); }
     piece::PieceFront& front() noexcept { return front_; }
 
 private:
     void follow();
 
     piece::PieceFront front_;
-    PieceInTime piece_;  ///< used by the lane's thread
+    PieceInTime piece_;  ///< used by the queue's thread
     bool has_wanted_ = false;
     std::atomic<std::int64_t> wanted_{0};
     std::atomic<bool> is_dropped_{false};
-    session::WorkLane lane_;  // last: it uses the others
+    session::BackgroundQueue queue_;  // last: it uses the others
 };
 
 }  // namespace psicarve::replay

@@ -14,10 +14,11 @@ double max_us(const machine::LatencyResult& result) {
 
 }  // namespace
 
-nlohmann::ordered_json latency_json(const machine::LatencyResult& result, const machine::LatencyWish& wish) {
+nlohmann::ordered_json latency_json(const machine::LatencyResult& result,
+                                    const machine::LatencyOptions& options) {
     auto histogram = nlohmann::ordered_json::array();
     for (const auto& [late_us, ticks] : result.bins) histogram.push_back({late_us, ticks});
-    return {{"period_us", wish.period_us},
+    return {{"period_us", options.period_us},
             {"priority", result.priority},
             {"cpu", result.cpu < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(result.cpu)},
             {"ticks", result.ticks},

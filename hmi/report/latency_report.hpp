@@ -8,7 +8,8 @@
 
 namespace psicarve::report {
 
-nlohmann::ordered_json latency_json(const machine::LatencyResult& result, const machine::LatencyWish& wish);
+nlohmann::ordered_json latency_json(const machine::LatencyResult& result,
+                                    const machine::LatencyOptions& options);
 /// late_us,ticks
 std::string latency_csv(const machine::LatencyResult& result);
 

@@ -13,7 +13,7 @@ using S = MachineState;
 using Lock = std::optional<Phrase>;
 
 /// The conditions of any motion from rest.
-Lock motion_lock(const MachineSight& machine) {
+Lock motion_lock(const MachineView& machine) {
     switch (machine.state()) {
         case S::alarm:
         case S::backing_off:
@@ -42,13 +42,13 @@ Lock motion_lock(const MachineSight& machine) {
     return std::nullopt;
 }
 
-Lock jog_lock(const MachineSight& machine) {
+Lock jog_lock(const MachineView& machine) {
     if (const Lock lock = motion_lock(machine); lock && machine.state() != S::moving) return lock;
     if (machine.state() == S::off) return phrase("Jog: the machine is not homed");
     return std::nullopt;
 }
 
-Lock unhomed_lock(const MachineSight& machine) {
+Lock unhomed_lock(const MachineView& machine) {
     for (const Axis axis : kAllAxes) {
         if (!machine.is_homed(axis)) return phrase("Start: axis %1 is not homed", axis_letter(axis));
     }
@@ -56,18 +56,18 @@ Lock unhomed_lock(const MachineSight& machine) {
     return std::nullopt;
 }
 
-Lock job_lock(const MachineSight& machine, const JobSight& job) {
-    if (job.state == DeskState::opening || job.state == DeskState::slicing)
+Lock job_lock(const MachineView& machine, const OpenJobView& job) {
+    if (job.state == OpenJobState::opening || job.state == OpenJobState::slicing)
         return phrase("Start: a job is being made");
-    if (job.state == DeskState::publishing) return phrase("Start: the job is being published");
-    if (job.state == DeskState::model) return phrase("Start: slice the model, then publish the job");
-    if (job.state == DeskState::job) return phrase("Start: the job is not published");
+    if (job.state == OpenJobState::publishing) return phrase("Start: the job is being published");
+    if (job.state == OpenJobState::model) return phrase("Start: slice the model, then publish the job");
+    if (job.state == OpenJobState::job) return phrase("Start: the job is not published");
     if (machine.status->job_generation == 0) return phrase("Start: no job is published");
     return std::nullopt;
 }
 
 /// The pre-flight checks that have no words of their own here.
-Lock preflight_lock(const MachineSight& machine, const JobSight& job) {
+Lock preflight_lock(const MachineView& machine, const OpenJobView& job) {
     for (const Check& check : preflight_checks(machine, job)) {
         if (check.verdict != Check::Verdict::fail) continue;
         Phrase lock = phrase("Start: pre-flight, %1: %2");
@@ -77,7 +77,7 @@ Lock preflight_lock(const MachineSight& machine, const JobSight& job) {
     return std::nullopt;
 }
 
-Lock start_lock(const MachineSight& machine, const JobSight& job) {
+Lock start_lock(const MachineView& machine, const OpenJobView& job) {
     switch (machine.state()) {
         case S::alarm:
         case S::backing_off:
@@ -109,7 +109,7 @@ Lock start_lock(const MachineSight& machine, const JobSight& job) {
     return preflight_lock(machine, job);
 }
 
-Lock stop_lock(const MachineSight& machine) {
+Lock stop_lock(const MachineView& machine) {
     switch (machine.state()) {
         case S::off:
         case S::ready:
@@ -123,7 +123,7 @@ Lock stop_lock(const MachineSight& machine) {
     }
 }
 
-Lock override_lock(const MachineSight& machine) {
+Lock override_lock(const MachineView& machine) {
     if (machine.state() == S::off || machine.state() == S::testing)
         return phrase("Feed override: the machine is not homed");
     if (machine.state() == S::alarm || machine.state() == S::backing_off)
@@ -131,7 +131,7 @@ Lock override_lock(const MachineSight& machine) {
     return std::nullopt;
 }
 
-Lock reset_lock(const MachineSight& machine) {
+Lock reset_lock(const MachineView& machine) {
     if (machine.state() == S::backing_off) return phrase("Reset alarm: an axis backs off its switch");
     if (machine.state() != S::alarm) return phrase("Reset alarm: there is no alarm");
     for (const Signal signal : kLimitSignals) {
@@ -143,7 +143,7 @@ Lock reset_lock(const MachineSight& machine) {
     return std::nullopt;
 }
 
-Lock back_off_lock(const MachineSight& machine) {
+Lock back_off_lock(const MachineView& machine) {
     if (machine.state() != S::alarm) return phrase("Back off: there is no alarm");
     for (const Signal signal : kLimitSignals) {
         if (machine.is_active(signal)) return std::nullopt;
@@ -151,36 +151,36 @@ Lock back_off_lock(const MachineSight& machine) {
     return phrase("Back off: no switch is closed");
 }
 
-Lock publish_lock(const MachineSight& machine, const JobSight& job) {
+Lock publish_lock(const MachineView& machine, const OpenJobView& job) {
     if (job.is_busy()) return phrase("Publish: a job is being made");
     if (!job.has_job()) return phrase("Publish: there is no job; slice the model first");
-    if (job.state == DeskState::published) return phrase("Publish: this job is published");
+    if (job.state == OpenJobState::published) return phrase("Publish: this job is published");
     const S state = machine.state();
     if (state == S::off || state == S::ready) return std::nullopt;
     return phrase("Publish: the machine is busy");
 }
 
-Lock slice_lock(const JobSight& job) {
+Lock slice_lock(const OpenJobView& job) {
     if (job.is_busy()) return phrase("Slice: a job is being made");
     if (!job.can_be_sliced && job.has_job()) return phrase("Slice: this is a job, and already sliced");
     if (!job.can_be_sliced) return phrase("Slice: open a model first");
     return std::nullopt;
 }
 
-Lock hold_lock(const MachineSight& machine) {
+Lock hold_lock(const MachineView& machine) {
     if (machine.state() == S::carving) return std::nullopt;
     if (machine.state() == S::held || machine.state() == S::holding) return phrase("Hold: on hold already");
     return phrase("Hold: nothing is carved");
 }
 
-Lock resume_lock(const MachineSight& machine) {
+Lock resume_lock(const MachineView& machine) {
     if (machine.state() == S::held || machine.state() == S::holding) return std::nullopt;
     return phrase("Resume: not on hold");
 }
 
 }  // namespace
 
-std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const JobSight& job) {
+std::optional<Phrase> lock_of(Action action, const MachineView& machine, const OpenJobView& job) {
     if (action == Action::slice) return slice_lock(job);
     if (machine.life == CoreLife::none) return phrase("No core serves the segment");
     if (!machine.is_heard() || !machine.status) return phrase("The core is silent");

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -27,6 +27,6 @@ enum class Action : std::uint8_t {
 };
 
 /// Why the action is not allowed; nothing when it is. "Start: axis Y is not homed".
-std::optional<Phrase> lock_of(Action action, const MachineSight& machine, const JobSight& job);
+std::optional<Phrase> lock_of(Action action, const MachineView& machine, const OpenJobView& job);
 
 }  // namespace psicarve::session

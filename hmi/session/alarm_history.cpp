@@ -14,12 +14,12 @@ namespace {
 
 using Time = std::chrono::system_clock::time_point;
 
-bool is_same_core(const MachineSight& before, const MachineSight& after) {
+bool is_same_core(const MachineView& before, const MachineView& after) {
     return before.status && before.core_pid == after.core_pid && before.status->tick <= after.status->tick;
 }
 
 /// Nothing where the core's clock is virtual, or the time of the status is not known.
-std::optional<Time> time_of(const MachineSight& machine, const AlarmRecord& alarm) {
+std::optional<Time> time_of(const MachineView& machine, const AlarmRecord& alarm) {
     constexpr double kMostSeconds = 1e9;  // values in the segment may be anything
     const CoreStatus& status = *machine.status;
     if (status.is_virtual_clock != 0 || machine.status_time == Time{} || alarm.tick > status.tick)
@@ -30,15 +30,15 @@ std::optional<Time> time_of(const MachineSight& machine, const AlarmRecord& alar
     return machine.status_time - std::chrono::duration_cast<std::chrono::system_clock::duration>(since);
 }
 
-bool is_latched(const MachineSight& machine, std::uint64_t number) {
+bool is_latched(const MachineView& machine, std::uint64_t number) {
     return number + 1 == machine.status->alarm_count &&
            (machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off);
 }
 
 /// The machine in that alarm, as far as it is recorded: an alarm that is over says nothing about switches
 /// now.
-MachineSight in_alarm(const MachineSight& machine, std::uint64_t number) {
-    MachineSight then = machine;
+MachineView in_alarm(const MachineView& machine, std::uint64_t number) {
+    MachineView then = machine;
     CoreStatus& status = *then.status;
     const AlarmRecord& alarm = status.alarms[number % kAlarmHistory];
     const bool is_standing = is_latched(machine, number);
@@ -55,8 +55,8 @@ MachineSight in_alarm(const MachineSight& machine, std::uint64_t number) {
     return then;
 }
 
-Message alarm_message(const MachineSight& machine, std::uint64_t number, bool is_of_new_core) {
-    const MachineSight then = in_alarm(machine, number);
+Message alarm_message(const MachineView& machine, std::uint64_t number, bool is_of_new_core) {
+    const MachineView then = in_alarm(machine, number);
     AlarmText text = alarm_text(then);
     const auto time = time_of(machine, machine.status->alarms[number % kAlarmHistory]);
     Message message{time.value_or(std::chrono::system_clock::now()), Severity::alarm, std::move(text.title),
@@ -79,7 +79,7 @@ Message alarm_message(const MachineSight& machine, std::uint64_t number, bool is
 
 }  // namespace
 
-std::vector<Message> fresh_alarms(const MachineSight& before, const MachineSight& after) {
+std::vector<Message> fresh_alarms(const MachineView& before, const MachineView& after) {
     const std::uint64_t count = after.status->alarm_count;
     const bool is_same = is_same_core(before, after);
     const std::uint64_t told = is_same ? before.status->alarm_count : 0;

@@ -17,12 +17,12 @@ Axis axis_of(const CoreStatus& status) {
 }
 
 /// "21.21 mm", or in pulses when the machine's profile is not known.
-std::string shown_position(const MachineSight& machine, Axis axis) {
+std::string shown_position(const MachineView& machine, Axis axis) {
     const AxisReadout readout = axis_readout(machine, axis);
     return readout.value + " " + readout.unit;
 }
 
-Phrase limit_title(const MachineSight& machine, Axis axis) {
+Phrase limit_title(const MachineView& machine, Axis axis) {
     // A job's profile may have other pins.
     if (!machine.profile || machine.is_profile_of_job)
         return phrase("Limit switch %1 closed", axis_letter(axis));
@@ -37,7 +37,7 @@ Phrase limit_title(const MachineSight& machine, Axis axis) {
                : phrase("Limit switch %1 closed (outer end, pin %2)", axis_letter(axis), pin);
 }
 
-Phrase limit_detail(const MachineSight& machine, Axis axis) {
+Phrase limit_detail(const MachineView& machine, Axis axis) {
     const std::string letter = axis_letter(axis);
     if (!machine.profile) {
         return phrase("Axis %1 stopped at %2. Likely a chip or a broken wire at the switch, or lost steps.",
@@ -53,7 +53,7 @@ Phrase limit_detail(const MachineSight& machine, Axis axis) {
 }
 
 /// The axes whose position is no longer certain.
-std::vector<Axis> unsure_axes(const MachineSight& machine) {
+std::vector<Axis> unsure_axes(const MachineView& machine) {
     std::vector<Axis> unsure;
     for (const Axis axis : kAllAxes) {
         if (!machine.is_homed(axis)) unsure.push_back(axis);
@@ -61,7 +61,7 @@ std::vector<Axis> unsure_axes(const MachineSight& machine) {
     return unsure;
 }
 
-void add_way_back(const MachineSight& machine, AlarmText& text) {
+void add_way_back(const MachineView& machine, AlarmText& text) {
     text.steps.push_back(phrase("Reset alarm"));
     const auto unsure = unsure_axes(machine);
     if (unsure.size() == 1) {
@@ -78,7 +78,7 @@ void add_way_back(const MachineSight& machine, AlarmText& text) {
     }
 }
 
-AlarmText limit_text(const MachineSight& machine) {
+AlarmText limit_text(const MachineView& machine) {
     const Axis axis = axis_of(*machine.status);
     AlarmText text{limit_title(machine, axis), limit_detail(machine, axis), {}};
     text.steps.push_back(phrase("Clear switch %1, or Back off, until its lamp goes out", axis_letter(axis)));
@@ -86,7 +86,7 @@ AlarmText limit_text(const MachineSight& machine) {
     return text;
 }
 
-AlarmText estop_text(const MachineSight& machine) {
+AlarmText estop_text(const MachineView& machine) {
     const bool has_moved = !unsure_axes(machine).empty();
     AlarmText text{
         phrase("Emergency stop"),
@@ -99,7 +99,7 @@ AlarmText estop_text(const MachineSight& machine) {
 }
 
 /// How much was lost, and which layers that has ruined.
-Phrase lost_detail(const MachineSight& machine, const AlarmRecord& alarm) {
+Phrase lost_detail(const MachineView& machine, const AlarmRecord& alarm) {
     const auto lost = report::lost_steps_of(alarm, machine.profile ? machine.profile->psi.pulses_per_rev : 0);
     if (!lost) return phrase("The Ψ index did not come where it was expected.");
     const std::string expected = count_text(alarm.expected);
@@ -134,7 +134,7 @@ Phrase lost_detail(const MachineSight& machine, const AlarmRecord& alarm) {
         expected, seen, amount, first, last);
 }
 
-AlarmText steps_lost_text(const MachineSight& machine) {
+AlarmText steps_lost_text(const MachineView& machine) {
     const CoreStatus& status = *machine.status;
     AlarmText text{
         phrase("The table has lost steps"), phrase("The Ψ index did not come where it was expected."), {}};
@@ -145,7 +145,7 @@ AlarmText steps_lost_text(const MachineSight& machine) {
     return text;
 }
 
-AlarmText home_failed_text(const MachineSight& machine) {
+AlarmText home_failed_text(const MachineView& machine) {
     const Axis axis = axis_of(*machine.status);
     AlarmText text{
         phrase("Homing of axis %1 failed", axis_letter(axis)),
@@ -156,7 +156,7 @@ AlarmText home_failed_text(const MachineSight& machine) {
     return text;
 }
 
-AlarmText gap_text(const MachineSight& machine) {
+AlarmText gap_text(const MachineView& machine) {
     const std::string letter = axis_letter(axis_of(*machine.status));
     AlarmText text{
         phrase("The computer paused while axis %1 moved", letter),
@@ -168,7 +168,7 @@ AlarmText gap_text(const MachineSight& machine) {
     return text;
 }
 
-AlarmText late_text(const MachineSight& machine) {
+AlarmText late_text(const MachineView& machine) {
     AlarmText text{phrase("The computer was too busy for the machine"),
                    phrase("Ticks were missed (%1 since the core started); motors may have lost steps.",
                           count_text(static_cast<std::int64_t>(machine.missed_ticks_at_alarm))),
@@ -178,14 +178,14 @@ AlarmText late_text(const MachineSight& machine) {
     return text;
 }
 
-AlarmText other_text(const MachineSight& machine) {
+AlarmText other_text(const MachineView& machine) {
     const AlarmCause cause = machine.status->alarm_cause;
     AlarmText text{phrase("Alarm: %1", name_of(cause)), phrase("%1", remedy_of(cause)), {}};
     add_way_back(machine, text);
     return text;
 }
 
-AlarmText silent_port_text(const MachineSight& machine) {
+AlarmText silent_port_text(const MachineView& machine) {
     AlarmText text{phrase("The port does not answer"),
                    phrase("Drives and spindle may still be on: the port has not taken the order to switch "
                           "them off. It is repeated until it does."),
@@ -198,7 +198,7 @@ AlarmText silent_port_text(const MachineSight& machine) {
 
 }  // namespace
 
-std::vector<Axis> alarm_heads(const MachineSight& machine) {
+std::vector<Axis> alarm_heads(const MachineView& machine) {
     const MachineState state = machine.state();
     if (state != MachineState::alarm && state != MachineState::backing_off) return {};
     if (machine.status->alarm_axis >= kAxisCount) return {};
@@ -214,7 +214,7 @@ std::vector<Axis> alarm_heads(const MachineSight& machine) {
     return {};
 }
 
-AlarmText alarm_text(const MachineSight& machine) {
+AlarmText alarm_text(const MachineView& machine) {
     if (machine.status->is_port_silent != 0) return silent_port_text(machine);
     switch (machine.status->alarm_cause) {
         case AlarmCause::limit:

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -16,10 +16,10 @@ struct AlarmText {
 };
 
 /// Requires a status in alarm, or backing off.
-AlarmText alarm_text(const MachineSight& machine);
+AlarmText alarm_text(const MachineView& machine);
 
 /// The heads at which the operator should look for an alarm: R1 and R2. A limit switch of Y is on the slide
 /// that carries both. Empty: there is no alarm, or it has no place.
-std::vector<Axis> alarm_heads(const MachineSight& machine);
+std::vector<Axis> alarm_heads(const MachineView& machine);
 
 }  // namespace psicarve::session

@@ -78,7 +78,7 @@ CalibrationOutcome reckon(const ProfileDraft& opened, const CalibrationForm& for
     return outcome;
 }
 
-std::optional<Phrase> write_lock(const CalibrationOutcome& outcome, const MachineSight& machine) {
+std::optional<Phrase> write_lock(const CalibrationOutcome& outcome, const MachineView& machine) {
     for (std::size_t i = 0; i < outcome.steps.size(); ++i) {
         if (outcome.steps[i].problem) return phrase("Write: step %1 cannot be", std::to_string(i + 1));
     }
@@ -87,7 +87,7 @@ std::optional<Phrase> write_lock(const CalibrationOutcome& outcome, const Machin
     return std::nullopt;
 }
 
-std::optional<Phrase> place_lock(const MachineSight& machine, const std::string& path, const Profile& on_file,
+std::optional<Phrase> place_lock(const MachineView& machine, const std::string& path, const Profile& on_file,
                                  Axis head) {
     if (machine.life == CoreLife::none) return phrase("No core serves the segment");
     if (!machine.is_heard() || !machine.status) return phrase("The core is silent");

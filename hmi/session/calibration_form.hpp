@@ -9,7 +9,7 @@
 
 #include "hmi/phrase/phrase.hpp"
 #include "hmi/profile/calibration_steps.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -36,9 +36,9 @@ struct CalibrationOutcome {
 CalibrationOutcome reckon(const profile::ProfileDraft& opened, const CalibrationForm& form);
 
 /// Why it cannot be written.
-std::optional<Phrase> write_lock(const CalibrationOutcome& outcome, const MachineSight& machine);
+std::optional<Phrase> write_lock(const CalibrationOutcome& outcome, const MachineView& machine);
 /// Why the core cannot be asked for a head's position by the profile in a file.
-std::optional<Phrase> place_lock(const MachineSight& machine, const std::string& path, const Profile& on_file,
+std::optional<Phrase> place_lock(const MachineView& machine, const std::string& path, const Profile& on_file,
                                  Axis head);
 
 }  // namespace psicarve::session

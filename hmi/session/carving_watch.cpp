@@ -20,9 +20,9 @@ struct Blank {
 void CarvingWatch::make_blank() {
     std::shared_ptr<const CarvingRecord> record_before{std::move(record_)};
     std::shared_ptr<const LivePiece> piece_before{std::move(piece_)};
-    lane_.drop_waiting();
-    lane_.post([this, record_before = std::move(record_before), piece_before = std::move(piece_before),
-                job = job_, number = ++blank_number_]() mutable -> WorkLane::Finish {
+    queue_.drop_waiting();
+    queue_.post([this, record_before = std::move(record_before), piece_before = std::move(piece_before),
+                 job = job_, number = ++blank_number_]() mutable -> BackgroundQueue::Finish {
         piece_before.reset();
         record_before.reset();
         if (!job) return {};
@@ -42,15 +42,15 @@ void CarvingWatch::make_blank() {
 }
 
 void CarvingWatch::refresh() {
-    lane_.deliver();
+    queue_.deliver();
     const auto job = desk_.core_job();
     // The piece of a core that has ended stays visible.
-    if (job != job_ && (job || machine_.sight().is_heard())) {
+    if (job != job_ && (job || machine_.view().is_heard())) {
         job_ = job;
         job_start_tick_ = 0;
         make_blank();
     }
-    const auto& status = machine_.sight().status;
+    const auto& status = machine_.view().status;
     if (!job_ || !status) return machine_.skip_increments();
     // A dry run carves nothing: the piece stays as it is.
     if (status->is_dry != 0) return machine_.skip_increments();

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "hmi/scene/carving_record.hpp"
-#include "hmi/session/job_desk.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/live_piece.hpp"
 #include "hmi/session/machine_session.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/open_job.hpp"
 
 namespace psicarve::session {
 
@@ -16,7 +16,7 @@ namespace psicarve::session {
 /// the window's, which never waits for it.
 class CarvingWatch {
 public:
-    CarvingWatch(MachineSession& machine, JobDesk& desk) : machine_(machine), desk_(desk) {}
+    CarvingWatch(MachineSession& machine, OpenJob& desk) : machine_(machine), desk_(desk) {}
 
     /// Call it with each look at the machine.
     void refresh();
@@ -34,7 +34,7 @@ private:
     void take_increments(const CoreStatus& status);
 
     MachineSession& machine_;
-    JobDesk& desk_;
+    OpenJob& desk_;
     std::shared_ptr<const cam::PreparedJob> job_;
     std::unique_ptr<CarvingRecord> record_;
     std::unique_ptr<LivePiece> piece_;
@@ -43,7 +43,7 @@ private:
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t lost_ = 0;  ///< increments, at the last read
     bool ran_job_ = false;    ///< at the last read
-    WorkLane lane_;
+    BackgroundQueue queue_;
 };
 
 }  // namespace psicarve::session

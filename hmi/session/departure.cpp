@@ -22,7 +22,7 @@ Departure::Step Departure::look(Clock::time_point now, const std::vector<SaveUnd
     return Step::tell;
 }
 
-DepartureWatch::DepartureWatch(SaveLedger saves, std::function<void(bool is_lost)> leave)
+DepartureWatch::DepartureWatch(PendingSaves saves, std::function<void(bool is_lost)> leave)
     : saves_(std::move(saves)), leave_(std::move(leave)), thread_([this] { watch(); }) {}
 
 DepartureWatch::~DepartureWatch() {

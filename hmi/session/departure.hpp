@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "hmi/session/save_ledger.hpp"
+#include "hmi/session/pending_saves.hpp"
 
 namespace psicarve::session {
 
@@ -45,7 +45,7 @@ private:
 class DepartureWatch {
 public:
     /// `leave` ends the process: with the program's own exit code, or, if `is_lost`, with that of an error.
-    DepartureWatch(SaveLedger saves, std::function<void(bool is_lost)> leave);
+    DepartureWatch(PendingSaves saves, std::function<void(bool is_lost)> leave);
     ~DepartureWatch();
     DepartureWatch(const DepartureWatch&) = delete;
     DepartureWatch& operator=(const DepartureWatch&) = delete;
@@ -53,7 +53,7 @@ public:
 private:
     void watch();
 
-    SaveLedger saves_;
+    PendingSaves saves_;
     std::function<void(bool)> leave_;
     std::mutex mutex_;
     std::condition_variable wake_;

@@ -38,19 +38,19 @@ AxisReadout psi_readout(std::int64_t pulses, const Profile& profile) {
     return {value, "°", turns == 1 ? phrase("1 turn") : phrase("%1 turns", count_text(turns))};
 }
 
-Phrase layer_of(const MachineSight& machine, std::uint32_t layer_count) {
+Phrase layer_of(const MachineView& machine, std::uint32_t layer_count) {
     const std::uint32_t layer = machine.status->layer + 1;
     if (layer_count == 0) return phrase("Layer %1", std::to_string(layer));
     return phrase("Layer %1 of %2", std::to_string(std::min(layer, layer_count)),
                   std::to_string(layer_count));
 }
 
-bool is_dry(const MachineSight& machine) {
+bool is_dry(const MachineView& machine) {
     return machine.status->is_dry != 0;
 }
 
 /// The place of the run in the job.
-Phrase place_of(const MachineSight& machine, std::uint32_t layer_count) {
+Phrase place_of(const MachineView& machine, std::uint32_t layer_count) {
     if (!is_dry(machine)) return layer_of(machine, layer_count);
     if (layer_count == 0) return phrase("Dry run");
     return phrase("Dry run, layer %1 of %2", std::to_string(std::min(machine.status->layer + 1, layer_count)),
@@ -62,19 +62,19 @@ Phrase left_text(const CoreStatus& status) {
     return status.is_left_forecast != 0 ? phrase("about %1 left", text) : phrase("%1 left", text);
 }
 
-StateText off_text(const MachineSight& machine) {
+StateText off_text(const MachineView& machine) {
     if (machine.status->job_generation != 0)
         return {phrase("IDLE"), phrase("Not homed, job published"), Tone::idle};
     return {phrase("IDLE"), phrase("Drives off, not homed"), Tone::idle};
 }
 
-StateText ready_text(const MachineSight& machine) {
+StateText ready_text(const MachineView& machine) {
     if (machine.status->job_generation != 0)
         return {phrase("READY"), phrase("Homed, job published"), Tone::run};
     return {phrase("READY"), phrase("Homed, no job"), Tone::run};
 }
 
-Phrase alarm_second(const MachineSight& machine) {
+Phrase alarm_second(const MachineView& machine) {
     const CoreStatus& status = *machine.status;
     if (status.is_port_silent != 0) return phrase("The port does not answer");
     if (status.alarm_cause == AlarmCause::limit && status.alarm_axis < kAxisCount)
@@ -85,7 +85,7 @@ Phrase alarm_second(const MachineSight& machine) {
 
 }  // namespace
 
-AxisReadout axis_readout(const MachineSight& machine, Axis axis) {
+AxisReadout axis_readout(const MachineView& machine, Axis axis) {
     if (!machine.status) return {"–", "", {}};
     const std::int64_t pulses = machine.status->position_pulses[index_of(axis)];
     if (!machine.profile) return {count_text(pulses), "pulses", {}};
@@ -95,13 +95,13 @@ AxisReadout axis_readout(const MachineSight& machine, Axis axis) {
             phrase("%1 pulses", count_text(pulses))};
 }
 
-Phrase pulses_phrase(const MachineSight& machine, Axis axis) {
+Phrase pulses_phrase(const MachineView& machine, Axis axis) {
     if (!machine.status) return {};
     const CoreStatus& status = *machine.status;
     return phrase("%1 pulses", count_text(status.position_pulses[index_of(axis)]));
 }
 
-Phrase commanded_and_actual(const MachineSight& machine, Axis axis) {
+Phrase commanded_and_actual(const MachineView& machine, Axis axis) {
     if (!machine.status || !machine.is_simulator()) return pulses_phrase(machine, axis);
     const CoreStatus& status = *machine.status;
     return phrase("%1 pulses counted; the simulated machine stands at %2",
@@ -109,7 +109,7 @@ Phrase commanded_and_actual(const MachineSight& machine, Axis axis) {
                   count_text(status.sim_true_position_pulses[index_of(axis)]));
 }
 
-StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
+StateText state_text(const MachineView& machine, std::uint32_t layer_count) {
     if (machine.status && is_lost_at_work(machine))
         return {phrase("NO CORE"),
                 machine.life == CoreLife::none ? phrase("Lost at work") : phrase("Silent at work"),
@@ -156,7 +156,7 @@ StateText state_text(const MachineSight& machine, std::uint32_t layer_count) {
     return {};
 }
 
-bool is_cut_short(const MachineSight& machine) {
+bool is_cut_short(const MachineView& machine) {
     const S state = machine.state();
     if (!machine.status || (state != S::alarm && state != S::backing_off)) return false;
     const CoreStatus& status = *machine.status;
@@ -167,13 +167,13 @@ bool is_cut_short(const MachineSight& machine) {
            status.alarms[(status.alarm_count - 2) % kAlarmHistory].tick < status.job_start_tick;
 }
 
-double done_ratio(const MachineSight& machine) {
+double done_ratio(const MachineView& machine) {
     if (!machine.status || machine.status->points_total == 0) return -1.0;
     return static_cast<double>(machine.status->points_done) /
            static_cast<double>(machine.status->points_total);
 }
 
-bool is_left_undone(const MachineSight& machine) {
+bool is_left_undone(const MachineView& machine) {
     const S state = machine.state();
     if (!machine.status || !machine.is_heard() || runs_job(state)) return false;
     if (state == S::alarm || state == S::backing_off) return false;
@@ -181,23 +181,23 @@ bool is_left_undone(const MachineSight& machine) {
     return status.points_done != 0 && status.points_done < status.points_total;
 }
 
-bool tells_of_run(const MachineSight& machine, const JobSight& job) {
-    const bool is_open = job.state == DeskState::empty || job.state == DeskState::published;
+bool tells_of_run(const MachineView& machine, const OpenJobView& job) {
+    const bool is_open = job.state == OpenJobState::empty || job.state == OpenJobState::published;
     return is_open || is_cut_short(machine) || !machine.is_heard() || runs_job(machine.state());
 }
 
-std::optional<double> planned_seconds(const MachineSight& machine) {
+std::optional<double> planned_seconds(const MachineView& machine) {
     if (!machine.status || !machine.is_heard() || runs_job(machine.state())) return std::nullopt;
     const CoreStatus& status = *machine.status;
     const bool is_whole = status.points_total != 0 && status.points_done == 0;
     return is_whole && status.seconds_left > 0.0 ? std::optional{status.seconds_left} : std::nullopt;
 }
 
-bool is_time_about(const MachineSight& machine) {
+bool is_time_about(const MachineView& machine) {
     return machine.status && runs_job(machine.state()) && machine.status->is_left_forecast != 0;
 }
 
-Phrase time_text(const MachineSight& machine, std::uint32_t layer_count) {
+Phrase time_text(const MachineView& machine, std::uint32_t layer_count) {
     if (!machine.status) return {};
     const S state = machine.state();
     if (!machine.is_heard()) return {};
@@ -218,7 +218,7 @@ Phrase time_text(const MachineSight& machine, std::uint32_t layer_count) {
     return left_text(*machine.status);
 }
 
-Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::uint32_t point_count) {
+Phrase work_text(const MachineView& machine, std::uint32_t layer_count, std::uint32_t point_count) {
     if (!machine.status || !runs_job(machine.state()) || layer_count == 0) return {};
     const CoreStatus& status = *machine.status;
     const std::uint64_t ticks = status.tick - std::min(status.job_start_tick, status.tick);
@@ -230,7 +230,7 @@ Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::ui
                   std::to_string(status.override_percent));
 }
 
-std::optional<std::chrono::system_clock::time_point> end_time(const MachineSight& machine,
+std::optional<std::chrono::system_clock::time_point> end_time(const MachineView& machine,
                                                               std::chrono::system_clock::time_point now) {
     const S state = machine.state();
     const bool is_on_its_way = state == S::positioning || state == S::carving || state == S::finishing;
@@ -240,7 +240,7 @@ std::optional<std::chrono::system_clock::time_point> end_time(const MachineSight
     return now + std::chrono::duration_cast<std::chrono::system_clock::duration>(left);
 }
 
-std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSight& machine) {
+std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineView& machine) {
     const S state = machine.state();
     if (!machine.status || (state != S::alarm && state != S::backing_off)) return std::nullopt;
     const CoreStatus& status = *machine.status;
@@ -253,7 +253,7 @@ std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSig
                                      std::chrono::duration<double, std::nano>{ns});
 }
 
-JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds,
+JobTimes job_times(const MachineView& machine, bool is_cores_job, double least_seconds,
                    const std::optional<machine::PlannedTime>& planned) {
     JobTimes times;
     // The plan of a core that has ended is no longer valid.

@@ -8,7 +8,7 @@
 
 #include "hmi/machine/planned_time.hpp"
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -21,45 +21,45 @@ struct AxisReadout {
     std::string unit;   ///< "mm", "°" or "pulses"
     Phrase second;      ///< psi: "157 turns"; "8 617 pulses"
 };
-AxisReadout axis_readout(const MachineSight& machine, Axis axis);
+AxisReadout axis_readout(const MachineView& machine, Axis axis);
 /// "8 617 pulses"; empty where the position is not known.
-Phrase pulses_phrase(const MachineSight& machine, Axis axis);
+Phrase pulses_phrase(const MachineView& machine, Axis axis);
 /// For a simulated machine also the true position, which only it knows: stepper motors do not report one.
-Phrase commanded_and_actual(const MachineSight& machine, Axis axis);
+Phrase commanded_and_actual(const MachineView& machine, Axis axis);
 
 struct StateText {
     Phrase word;    ///< "CARVING"
     Phrase second;  ///< "Layer 315 of 500"
     Tone tone = Tone::idle;
 };
-StateText state_text(const MachineSight& machine, std::uint32_t layer_count);
+StateText state_text(const MachineView& machine, std::uint32_t layer_count);
 
 /// The latched alarm ended the run of a job: not an alarm that came after the run, nor one at rest.
-bool is_cut_short(const MachineSight& machine);
+bool is_cut_short(const MachineView& machine);
 
 /// The share of the job that is carved; negative: there is none.
-double done_ratio(const MachineSight& machine);
+double done_ratio(const MachineView& machine);
 /// "12:38 left", "about 12:38 left", "stopped", "stopped in layer 315" ... `layer_count`: of the core's job;
 /// 0: not known.
-Phrase time_text(const MachineSight& machine, std::uint32_t layer_count = 0);
+Phrase time_text(const MachineView& machine, std::uint32_t layer_count = 0);
 /// Not all of the run is planned yet: part of its time is a forecast.
-bool is_time_about(const MachineSight& machine);
+bool is_time_about(const MachineView& machine);
 /// The last run ended before its last point; false where an alarm shows that itself.
-bool is_left_undone(const MachineSight& machine);
+bool is_left_undone(const MachineView& machine);
 /// Whether the present or last run belongs to the open job; true while the machine works.
-bool tells_of_run(const MachineSight& machine, const JobSight& job);
+bool tells_of_run(const MachineView& machine, const OpenJobView& job);
 /// The whole accepted job that was not begun, as the core plans it [s].
-std::optional<double> planned_seconds(const MachineSight& machine);
+std::optional<double> planned_seconds(const MachineView& machine);
 
 /// "Layer 315 / 500 · point 212 / 500 · elapsed 21:32 · override 100 %" while a job runs; else nothing.
-Phrase work_text(const MachineSight& machine, std::uint32_t layer_count, std::uint32_t point_count);
+Phrase work_text(const MachineView& machine, std::uint32_t layer_count, std::uint32_t point_count);
 /// When the running job will be done, by the computer's clock; nothing when that is not known: none runs, it
 /// is on hold, or the core's clock is virtual.
-std::optional<std::chrono::system_clock::time_point> end_time(const MachineSight& machine,
+std::optional<std::chrono::system_clock::time_point> end_time(const MachineView& machine,
                                                               std::chrono::system_clock::time_point now);
 /// When the latched alarm stopped the machine, by the computer's clock; nothing when there is none, or the
 /// core's clock is virtual.
-std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineSight& machine);
+std::optional<std::chrono::system_clock::time_point> alarm_time(const MachineView& machine);
 
 /// The duration of the job that the operator looks at.
 struct JobTimes {
@@ -69,7 +69,7 @@ struct JobTimes {
 };
 /// `is_cores_job`: it is the one that the core accepted. `least_seconds`: 0 when not known. `planned`: by a
 /// core of our own; the machine's own value comes first.
-JobTimes job_times(const MachineSight& machine, bool is_cores_job, double least_seconds,
+JobTimes job_times(const MachineView& machine, bool is_cores_job, double least_seconds,
                    const std::optional<machine::PlannedTime>& planned = {});
 
 /// A number with `decimals` digits behind a point, and a thin space per thousand. Requires 0 <= decimals <=

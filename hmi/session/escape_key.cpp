@@ -3,7 +3,7 @@
 
 namespace psicarve::session {
 
-EscapeOrder escape_order(const MachineSight& machine, bool has_orders) {
+EscapeOrder escape_order(const MachineView& machine, bool has_orders) {
     if (!machine.is_heard() || !machine.status) return EscapeOrder::none;
     switch (machine.state()) {
         case MachineState::carving:

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -16,6 +16,6 @@ enum class EscapeOrder : std::uint8_t {
 
 /// Never resumes, never ends a carving; none at rest and on hold. `has_orders`: an order is on its way to the
 /// core.
-EscapeOrder escape_order(const MachineSight& machine, bool has_orders);
+EscapeOrder escape_order(const MachineView& machine, bool has_orders);
 
 }  // namespace psicarve::session

@@ -28,7 +28,7 @@ std::vector<std::string> folders_above(const std::string& folder) {
 }  // namespace
 
 void FilePresence::look(std::vector<std::string> paths) {
-    lane_.post([this, paths = std::move(paths)]() -> WorkLane::Finish {
+    queue_.post([this, paths = std::move(paths)]() -> BackgroundQueue::Finish {
         std::map<std::string, Seen> found;
         for (const std::string& path : paths) found[path] = look_at(path);
         return [this, found = std::move(found)] {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 
 namespace psicarve::session {
 
@@ -28,12 +28,12 @@ public:
     /// The folder, or the nearest above it that is known to exist; empty: none is known.
     std::string nearest_folder(const std::string& folder) const;
     /// Call it at screen rate.
-    void poll() { lane_.deliver(); }
+    void poll() { queue_.deliver(); }
     Seen seen(const std::string& path) const;
 
 private:
     std::map<std::string, Seen> seen_;
-    WorkLane lane_;  // last: its thread uses the others
+    BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 }  // namespace psicarve::session

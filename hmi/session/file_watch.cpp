@@ -24,10 +24,10 @@ void FileWatch::watch(const std::string& path, const std::optional<Stamp>& opene
 }
 
 void FileWatch::poll(Clock::time_point now) {
-    lane_.deliver();
-    if (!opened_ || has_changed_ || now < next_look_ || !lane_.is_idle()) return;
+    queue_.deliver();
+    if (!opened_ || has_changed_ || now < next_look_ || !queue_.is_idle()) return;
     next_look_ = now + kPause;
-    lane_.post([this, path = path_]() -> WorkLane::Finish {
+    queue_.post([this, path = path_]() -> BackgroundQueue::Finish {
         return [this, path, seen = stamp_of(path)] {
             if (path == path_ && seen && opened_) has_changed_ = *seen != *opened_;
         };

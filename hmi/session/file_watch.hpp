@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 
 namespace psicarve::session {
 
@@ -39,7 +39,7 @@ private:
     std::optional<Stamp> opened_;
     bool has_changed_ = false;
     Clock::time_point next_look_{};
-    WorkLane lane_;  // last: its thread uses the others
+    BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 }  // namespace psicarve::session

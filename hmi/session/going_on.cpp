@@ -16,19 +16,19 @@ namespace psicarve::session {
 namespace {
 
 /// Whether the open job is the one that the core has, or had.
-bool is_cores_job(const MachineSight& machine, const JobSight& job) noexcept {
+bool is_cores_job(const MachineView& machine, const OpenJobView& job) noexcept {
     switch (job.state) {
-        case DeskState::empty:
-        case DeskState::published:
+        case OpenJobState::empty:
+        case OpenJobState::published:
             return true;
-        case DeskState::job:
+        case OpenJobState::job:
             return !machine.is_heard() && job.is_of_checkpoint;  // there is no core to accept it
         default:
             return false;
     }
 }
 
-bool is_under_way(const MachineSight& machine) noexcept {
+bool is_under_way(const MachineView& machine) noexcept {
     return machine.is_heard() && machine.status && runs_job(machine.state());
 }
 
@@ -40,7 +40,7 @@ Phrase last_good(const UnfinishedPiece& piece, const cam::PreparedJob* job) {
 }
 
 /// The end of the run that this core carved, or the one before it.
-std::optional<Phrase> ended_at(const MachineSight& machine) {
+std::optional<Phrase> ended_at(const MachineView& machine) {
     if (!machine.status || machine.status->is_dry != 0) return std::nullopt;
     const CoreStatus& status = *machine.status;
     if (status.points_done == 0 || status.points_done >= status.points_total) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Phrase> ended_at(const MachineSight& machine) {
                   std::to_string(status.point + 1));
 }
 
-std::optional<Phrase> to_do_first(const MachineSight& machine) {
+std::optional<Phrase> to_do_first(const MachineView& machine) {
     if (!machine.is_heard()) return phrase("First start psicarve-rtcore, then Home all.");
     std::string missing;
     for (const Axis axis : kAllAxes) {
@@ -79,7 +79,7 @@ Phrase way_back(const UnfinishedPiece& piece) {
 
 }  // namespace
 
-std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, const JobSight& job,
+std::optional<std::uint32_t> layer_to_begin_with(const MachineView& machine, const OpenJobView& job,
                                                  bool is_dry) {
     if (machine.is_heard() && machine.state() == MachineState::waiting) {
         const std::uint32_t layer = machine.status->layer;
@@ -89,14 +89,14 @@ std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, co
     return machine.resumable_layer;
 }
 
-Phrase start_text(const MachineSight& machine, const JobSight& job, bool is_dry) {
+Phrase start_text(const MachineView& machine, const OpenJobView& job, bool is_dry) {
     const bool waits = machine.is_heard() && machine.state() == MachineState::waiting;
     if (waits ? machine.status->is_dry != 0 : is_dry) return phrase("Start dry run");
     const auto layer = layer_to_begin_with(machine, job, is_dry);
     return layer ? phrase("Continue from layer %1", std::to_string(*layer + 1)) : phrase("Start");
 }
 
-std::optional<UnfinishedPiece> unfinished_piece(const MachineSight& machine, const JobSight& job) {
+std::optional<UnfinishedPiece> unfinished_piece(const MachineView& machine, const OpenJobView& job) {
     if (is_under_way(machine) || !is_cores_job(machine, job)) return std::nullopt;
     const UnfinishedPiece piece{machine.resumable_layer.value_or(0), machine.earlier_layer.value_or(0),
                                 machine.checkpoint_layer_count};
@@ -109,7 +109,7 @@ Phrase unfinished_title(const UnfinishedPiece& piece) {
     return phrase("Unfinished: %1 of %2 layers are carved", std::to_string(piece.carved_layers), count);
 }
 
-std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineSight& machine,
+std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineView& machine,
                                        const cam::PreparedJob* job) {
     std::vector<Phrase> details;
     if (piece.carved_layers != 0) details.push_back(last_good(piece, job));
@@ -122,7 +122,7 @@ std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const Machi
     return details;
 }
 
-std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineSight& machine) {
+std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineView& machine) {
     std::vector<Phrase> needs;
     if (auto both = disagreement(machine)) needs.push_back(*std::move(both));
     if (auto first = to_do_first(machine))

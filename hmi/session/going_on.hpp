@@ -8,16 +8,16 @@
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
 /// The layer, counted from 0, with which the button that starts the job begins: behind the last finished one
 /// of the published job, or where the heads wait; nothing: with the first. A dry run begins there, too.
-std::optional<std::uint32_t> layer_to_begin_with(const MachineSight& machine, const JobSight& job,
+std::optional<std::uint32_t> layer_to_begin_with(const MachineView& machine, const OpenJobView& job,
                                                  bool is_dry);
 /// That button's text: "Start", "Continue from layer 132", "Start dry run".
-Phrase start_text(const MachineSight& machine, const JobSight& job, bool is_dry);
+Phrase start_text(const MachineView& machine, const OpenJobView& job, bool is_dry);
 
 /// A piece of the published job that was begun and is not finished.
 struct UnfinishedPiece {
@@ -28,18 +28,18 @@ struct UnfinishedPiece {
     friend bool operator==(const UnfinishedPiece&, const UnfinishedPiece&) = default;
 };
 /// Nothing: there is none, it is being carved, or another job is open.
-std::optional<UnfinishedPiece> unfinished_piece(const MachineSight& machine, const JobSight& job);
+std::optional<UnfinishedPiece> unfinished_piece(const MachineView& machine, const OpenJobView& job);
 
 /// "Unfinished: 131 of 200 layers are carved".
 Phrase unfinished_title(const UnfinishedPiece& piece);
 /// Sentences for the operator: the last good layer and point, where the run ended, what has to be done first,
 /// on which way the heads come to the layer, and how far the run before came. `job`: the published one; null:
 /// not known.
-std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineSight& machine,
+std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineView& machine,
                                        const cam::PreparedJob* job);
 
 /// The essential ones of them in few words: what has to be done first, and how far the run before came.
-std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineSight& machine);
+std::vector<Phrase> unfinished_needs(const UnfinishedPiece& piece, const MachineView& machine);
 
 /// The job's surface unrolled, highest layer first, 0xFFRRGGBB: coloured by radius where its finishing pass
 /// is carved, and `rest_rgb` above: roughed layers have no such radius yet.

@@ -8,13 +8,13 @@
 
 namespace psicarve::session {
 
-JobPlace place_in_question(const MachineSight& machine, const JobSight& job, bool knows_core_job) {
-    if (job.state == DeskState::published) return JobPlace::machine;
+JobPlace place_in_question(const MachineView& machine, const OpenJobView& job, bool knows_core_job) {
+    if (job.state == OpenJobState::published) return JobPlace::machine;
     const bool runs = machine.is_heard() && runs_job(machine.state());
     return runs && knows_core_job ? JobPlace::machine : JobPlace::desk;
 }
 
-Phrase machine_job_note(const MachineSight& machine) {
+Phrase machine_job_note(const MachineView& machine) {
     if (machine.life == CoreLife::none || !machine.status) return phrase("no core");
     const CoreStatus& status = *machine.status;
     if (status.job_generation == 0) return {};
@@ -25,21 +25,21 @@ Phrase machine_job_note(const MachineSight& machine) {
                               : phrase("no. %1, %2 % done", number, percent);
 }
 
-Phrase desk_job_note(const JobSight& job) {
+Phrase desk_job_note(const OpenJobView& job) {
     switch (job.state) {
-        case DeskState::empty:
+        case OpenJobState::empty:
             return phrase("nothing");
-        case DeskState::opening:
+        case OpenJobState::opening:
             return phrase("being read");
-        case DeskState::model:
+        case OpenJobState::model:
             return phrase("not sliced");
-        case DeskState::slicing:
+        case OpenJobState::slicing:
             return phrase("being sliced");
-        case DeskState::job:
+        case OpenJobState::job:
             break;
-        case DeskState::publishing:
+        case OpenJobState::publishing:
             return phrase("being published");
-        case DeskState::published:
+        case OpenJobState::published:
             return phrase("the same job");
     }
     return job.was_published ? phrase("no longer in the machine") : phrase("not published");

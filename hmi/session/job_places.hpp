@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -16,10 +16,10 @@ enum class JobPlace : std::uint8_t {
 
 /// The place whose numbers and checks are shown: the machine while it runs a job or has the open one, else
 /// the desk, since only the open job can be started. `knows_core_job`: the core's job was read.
-JobPlace place_in_question(const MachineSight& machine, const JobSight& job, bool knows_core_job);
+JobPlace place_in_question(const MachineView& machine, const OpenJobView& job, bool knows_core_job);
 /// Text beside the machine's job: "no. 3, 40 % done". Empty: there is none.
-Phrase machine_job_note(const MachineSight& machine);
+Phrase machine_job_note(const MachineView& machine);
 /// Text beside the open job: "not sliced", "the same job".
-Phrase desk_job_note(const JobSight& job);
+Phrase desk_job_note(const OpenJobView& job);
 
 }  // namespace psicarve::session

@@ -40,7 +40,7 @@ void JogHand::test(Signal output, std::uint32_t pulses, double rate_hz) {
 
 void JogHand::poll() {
     beat_ns_.store(now_ns());
-    lane_.deliver();
+    queue_.deliver();
 }
 
 void JogHand::begin(Wish wish) {
@@ -48,7 +48,7 @@ void JogHand::begin(Wish wish) {
     beat_ns_.store(now_ns());
     wish.ticket = ++last_ticket_;
     wanted_.store(wish.ticket);
-    lane_.post([this, wish]() -> WorkLane::Finish {
+    queue_.post([this, wish]() -> BackgroundQueue::Finish {
         const auto went = jog(wish);
         if (went) return {};
         return [this, error = went.error(), is_of_test = wish.output.has_value()] {

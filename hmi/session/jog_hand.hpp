@@ -9,7 +9,7 @@
 #include <string>
 
 #include "hmi/machine/jog.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "shared/base/result.hpp"
 #include "shared/machine/jog_lease.hpp"
 #include "shared/machine/signal.hpp"
@@ -68,7 +68,7 @@ private:
     std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner last called
     std::uint64_t last_ticket_ = 0;
     bool is_locked_ = false;
-    WorkLane lane_;  // last: its thread uses the others
+    BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 }  // namespace psicarve::session

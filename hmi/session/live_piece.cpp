@@ -38,7 +38,7 @@ LivePiece::~LivePiece() {
 }
 
 void LivePiece::look(const Look& now) {
-    lane_.deliver();
+    queue_.deliver();
     const auto layer =
         static_cast<std::uint32_t>(std::min<std::uint64_t>(now.points_done / point_count_, layer_count_));
     if (!has_looked_) {
@@ -67,7 +67,7 @@ void LivePiece::look(const Look& now) {
 void LivePiece::hand_over() {
     if (told_.empty()) return;
     waiting_ += told_.size();
-    lane_.post([this, entries = std::exchange(told_, {})]() -> WorkLane::Finish {
+    queue_.post([this, entries = std::exchange(told_, {})]() -> BackgroundQueue::Finish {
         cut(entries);
         waiting_ -= entries.size();
         show();
@@ -91,7 +91,7 @@ void LivePiece::post_unseen(std::uint32_t end) {
 
 void LivePiece::post_layer(std::uint32_t layer, std::uint32_t end_step) {
     ++layers_to_come_;
-    lane_.post([this, layer, end_step]() -> WorkLane::Finish {
+    queue_.post([this, layer, end_step]() -> BackgroundQueue::Finish {
         way_.go_layer(layer, end_step, [this](const verify::Positions& at) { settle(at); });
         last_.reset();
         --layers_to_come_;
@@ -131,8 +131,8 @@ void LivePiece::show() {
 }
 
 void LivePiece::finish() {
-    lane_.finish();
-    lane_.deliver();
+    queue_.finish();
+    queue_.deliver();
 }
 
 }  // namespace psicarve::session

@@ -13,7 +13,7 @@
 #include "hmi/piece/piece_carver.hpp"
 #include "hmi/piece/piece_front.hpp"
 #include "hmi/piece/tool_way.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "shared/machine/status.hpp"
 
 namespace psicarve::session {
@@ -80,7 +80,7 @@ private:
     bool has_gap_ = false;  ///< it may reach beyond the layer of the last look
     std::uint32_t skipped_layers_ = 0;
 
-    // Used by the lane's thread:
+    // Used by the queue's thread:
     piece::StockMap stock_;
     piece::PieceCarver carver_;
     piece::ToolWay way_;
@@ -92,7 +92,7 @@ private:
     std::atomic<std::uint32_t> layers_to_come_{0};
     std::shared_ptr<std::atomic<std::size_t>> places_cut_ = std::make_shared<std::atomic<std::size_t>>(0);
     std::atomic<bool> is_dropped_{false};
-    WorkLane lane_{WorkLane::Haste::background};  // last: it uses the others
+    BackgroundQueue queue_{BackgroundQueue::Haste::background};  // last: it uses the others
 };
 
 }  // namespace psicarve::session

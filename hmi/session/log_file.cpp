@@ -78,15 +78,15 @@ Result<void> LogFile::add(const std::string& lines) {
     return {};
 }
 
-LogKeeper::LogKeeper(const std::string& folder, SaveLedger saves)
+LogKeeper::LogKeeper(const std::string& folder, PendingSaves saves)
     : folder_(folder), file_(folder + "/psicarve-hmi.log"), saves_(std::move(saves)) {
-    if (!folder_.empty()) lane_.emplace();
+    if (!folder_.empty()) queue_.emplace();
 }
 
 LogKeeper::~LogKeeper() {
-    lane_.reset();
+    queue_.reset();
     if (folder_.empty()) return;
-    const SaveLedger::Entry save = saves_.begin(file_.path());
+    const PendingSaves::Entry save = saves_.begin(file_.path());
     (void)flush();
 }
 
@@ -100,8 +100,8 @@ Result<void> LogKeeper::flush() {
 }
 
 void LogKeeper::poll(MessageLog& log) {
-    if (!lane_) return;
-    lane_->deliver();
+    if (!queue_) return;
+    queue_->deliver();
     const auto& all = log.messages();
     const auto fresh = std::min<std::uint64_t>(log.count() - seen_, all.size());
     if (fresh == 0) return;
@@ -112,7 +112,7 @@ void LogKeeper::poll(MessageLog& log) {
             if (!all[i].is_from_before || all[i].is_standing) pending_ += log_line(all[i]);
         }
     }
-    lane_->post(saves_.noted(file_.path(), [this, &log]() -> WorkLane::Finish {
+    queue_->post(saves_.noted(file_.path(), [this, &log]() -> BackgroundQueue::Finish {
         const auto written = flush();
         if (written) return {};
         return [this, &log, why = written.error().message] {

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/message_log.hpp"
-#include "hmi/session/save_ledger.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/pending_saves.hpp"
 #include "shared/base/result.hpp"
 
 namespace psicarve::session {
@@ -45,7 +45,7 @@ private:
 class LogKeeper {
 public:
     /// With an empty folder it writes nothing.
-    explicit LogKeeper(const std::string& folder, SaveLedger saves = {});
+    explicit LogKeeper(const std::string& folder, PendingSaves saves = {});
     /// Writes the rest.
     ~LogKeeper();
     /// Reports once when the file cannot be written.
@@ -58,12 +58,12 @@ private:
 
     std::string folder_;
     LogFile file_;
-    SaveLedger saves_;
+    PendingSaves saves_;
     std::mutex mutex_;
     std::string pending_;  ///< guarded by mutex_
     std::uint64_t seen_ = 0;
     bool has_complained_ = false;
-    std::optional<WorkLane> lane_;
+    std::optional<BackgroundQueue> queue_;
 };
 
 }  // namespace psicarve::session

@@ -9,34 +9,34 @@ namespace {
 
 using S = MachineState;
 
-bool is_in_alarm(const MachineSight& machine) noexcept {
+bool is_in_alarm(const MachineView& machine) noexcept {
     return machine.status && (machine.state() == S::alarm || machine.state() == S::backing_off);
 }
 
 /// Whether the guard has reported the core's death, and its own reaction.
-bool is_told_by_guard(const MachineSight& machine) noexcept {
+bool is_told_by_guard(const MachineView& machine) noexcept {
     return machine.life == CoreLife::none && machine.status &&
            machine.status->alarm_cause == AlarmCause::core_lost;
 }
 
 /// The core's own last state; its guard's comes after it.
-S own_state(const MachineSight& machine) noexcept {
+S own_state(const MachineView& machine) noexcept {
     return machine.heard_state.value_or(machine.state());
 }
 
-bool is_silent(const MachineSight& machine) noexcept {
+bool is_silent(const MachineView& machine) noexcept {
     return machine.life == CoreLife::silent;
 }
 
 /// Some of the job was carved, and not all.
-bool is_within_job(const MachineSight& machine) noexcept {
+bool is_within_job(const MachineView& machine) noexcept {
     const CoreStatus& status = *machine.status;
     const S state = own_state(machine);
     const bool may_run = runs_job(state) || (!machine.heard_state && is_told_by_guard(machine));
     return may_run && status.points_done > 0 && status.points_done < status.points_total;
 }
 
-Phrase lost_title(const MachineSight& machine) {
+Phrase lost_title(const MachineView& machine) {
     const bool silent = is_silent(machine);
     if (is_within_job(machine)) {
         const std::string layer = std::to_string(machine.status->layer + 1);
@@ -49,7 +49,7 @@ Phrase lost_title(const MachineSight& machine) {
                   : phrase("The core has ended in the middle of its work");
 }
 
-Phrase outputs_sentence(const MachineSight& machine) {
+Phrase outputs_sentence(const MachineView& machine) {
     if (!is_told_by_guard(machine))
         return phrase("Drives and spindle may still be on, and nothing here can switch them off.");
     return machine.status->is_port_silent != 0
@@ -57,14 +57,14 @@ Phrase outputs_sentence(const MachineSight& machine) {
                : phrase("Its guard has switched drives and spindle off.");
 }
 
-Phrase lost_detail(const MachineSight& machine) {
+Phrase lost_detail(const MachineView& machine) {
     const Phrase outputs = outputs_sentence(machine);
     const bool may_be_in_piece = is_within_job(machine) && machine.status->is_dry == 0;
     if (!may_be_in_piece) return Phrase{"%1", {}, {outputs}};
     return Phrase{"%1 %2", {}, {outputs, phrase("The heads may stand in the piece.")}};
 }
 
-void add_new_core(const MachineSight& machine, AlarmText& text) {
+void add_new_core(const MachineView& machine, AlarmText& text) {
     if (is_silent(machine))
         text.steps.push_back(phrase("End psicarve-rtcore, process %1", std::to_string(machine.core_pid)));
     text.steps.push_back(phrase("Start psicarve-rtcore"));
@@ -72,7 +72,7 @@ void add_new_core(const MachineSight& machine, AlarmText& text) {
 }
 
 /// From the checkpoint, which outlives its core.
-void add_way_on(const MachineSight& machine, AlarmText& text) {
+void add_way_on(const MachineView& machine, AlarmText& text) {
     if (!is_within_job(machine) || machine.status->is_dry != 0) return;
     if (machine.resumable_layer) {
         text.steps.push_back(phrase("Continue from layer %1", std::to_string(*machine.resumable_layer + 1)));
@@ -81,7 +81,7 @@ void add_way_on(const MachineSight& machine, AlarmText& text) {
     }
 }
 
-AlarmText alarm_of_lost_core(const MachineSight& machine) {
+AlarmText alarm_of_lost_core(const MachineView& machine) {
     const AlarmText alarm = alarm_text(machine);
     const Phrase since = is_silent(machine)
                              ? phrase("Since then the core is silent: it takes no orders.")
@@ -106,7 +106,7 @@ AlarmText unheard_text(const std::optional<AlarmText>& rest) {
     return text;
 }
 
-std::optional<AlarmText> text_of_machine(const MachineSight& machine) {
+std::optional<AlarmText> text_of_machine(const MachineView& machine) {
     if (!machine.status) return std::nullopt;
     if (is_lost_at_work(machine) || is_told_by_guard(machine)) return lost_core_text(machine);
     if (!is_in_alarm(machine)) return std::nullopt;
@@ -115,7 +115,7 @@ std::optional<AlarmText> text_of_machine(const MachineSight& machine) {
 
 }  // namespace
 
-bool is_lost_at_work(const MachineSight& machine) noexcept {
+bool is_lost_at_work(const MachineView& machine) noexcept {
     if (machine.is_heard() || !machine.status) return false;
     switch (own_state(machine)) {
         case S::off:
@@ -130,7 +130,7 @@ bool is_lost_at_work(const MachineSight& machine) noexcept {
     }
 }
 
-AlarmText lost_core_text(const MachineSight& machine) {
+AlarmText lost_core_text(const MachineView& machine) {
     AlarmText text{lost_title(machine), lost_detail(machine), {}};
     const bool is_safe = is_told_by_guard(machine) && machine.status->is_port_silent == 0;
     text.steps.push_back(is_safe ? phrase("If anything still moves, use the wired emergency stop")
@@ -140,7 +140,7 @@ AlarmText lost_core_text(const MachineSight& machine) {
     return text;
 }
 
-std::optional<AlarmText> loud_text(const MachineSight& machine) {
+std::optional<AlarmText> loud_text(const MachineView& machine) {
     const auto text = text_of_machine(machine);
     return machine.unheard_stop ? unheard_text(text) : text;
 }

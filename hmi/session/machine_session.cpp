@@ -27,7 +27,7 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
               tell_refusal(is_of_test ? OrderPlace::outputs : OrderPlace::jog, phrase("By hand"), error);
           },
           options_.hand_limit) {
-    sight_.watched_since = std::chrono::system_clock::now();
+    view_.watched_since = std::chrono::system_clock::now();
     if (options_.profile) offer_profile(*options_.profile);
     offer_profile(Profile{});
 }
@@ -48,10 +48,10 @@ void MachineSession::offer_profile(const Profile& profile) {
 
 void MachineSession::take_accepted(const Profile* of_job) {
     // The last known status of a dead core keeps its profile.
-    if (!sight_.is_heard() || (sight_.profile && !sight_.is_profile_of_job)) return;
-    sight_.is_profile_of_job = of_job != nullptr;
-    sight_.profile.reset();
-    if (of_job != nullptr) sight_.profile = *of_job;
+    if (!view_.is_heard() || (view_.profile && !view_.is_profile_of_job)) return;
+    view_.is_profile_of_job = of_job != nullptr;
+    view_.profile.reset();
+    if (of_job != nullptr) view_.profile = *of_job;
 }
 
 void MachineSession::poll() {
@@ -59,15 +59,15 @@ void MachineSession::poll() {
     deliver_forgetting();
     profile_finder_.deliver();
     orders_.deliver();
-    const MachineSight before = sight_;
+    const MachineView before = view_;
     keep_attached();
     look();
     look_for_saved_piece();
-    refused_.look(sight_);
+    refused_.look(view_);
     if (jogs_asked_ != jog_.asked()) refused_.forget();
     jogs_asked_ = jog_.asked();
     jog_.poll();
-    for (Message& message : changes_between(before, sight_)) log_.add(std::move(message));
+    for (Message& message : changes_between(before, view_)) log_.add(std::move(message));
     go_on_with_start();
     if (wanted_override_percent_ && orders_.is_idle()) {
         Command command{};
@@ -85,11 +85,11 @@ void MachineSession::keep_attached() {
     const auto now = Clock::now();
     if (link_ || !finder_.is_idle() || now - attach_tried_ < kAttachPause) return;
     attach_tried_ = now;
-    finder_.post([this, name = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
+    finder_.post([this, name = options_.segment_name, group = options_.group]() -> BackgroundQueue::Finish {
         auto found = std::make_shared<Result<MachineLink>>(MachineLink::attach(name, group));
         return [this, found] {
             const bool is_missing = !*found && found->error().code == ErrorCode::no_core;
-            sight_.segment_problem = *found || is_missing ? std::string{} : found->error().message;
+            view_.segment_problem = *found || is_missing ? std::string{} : found->error().message;
             if (!*found) {
                 has_looked_ = true;
                 return;
@@ -117,20 +117,20 @@ std::optional<std::uint32_t> MachineSession::core_now() noexcept {
 void MachineSession::look() {
     const auto now = Clock::now();
     if (!link_) {
-        sight_.life = CoreLife::none;
+        view_.life = CoreLife::none;
         return;
     }
     const auto pid = core_now();
-    if (pid && *pid != sight_.core_pid) {
+    if (pid && *pid != view_.core_pid) {
         missed_.forget();
-        sight_.core_pid = *pid;
-        sight_.is_core_of_first_look = !has_looked_;
-        sight_.port_name.clear();
+        view_.core_pid = *pid;
+        view_.is_core_of_first_look = !has_looked_;
+        view_.port_name.clear();
         heartbeat_ = 0;
         heartbeat_changed_ = now;  // a core that has just begun gets its time to write
     }
     has_looked_ = true;
-    if (pid && sight_.port_name.empty()) sight_.port_name = link_->port_name();
+    if (pid && view_.port_name.empty()) view_.port_name = link_->port_name();
     const auto status = link_->last_status();
     if (status && status->heartbeat != heartbeat_) {
         heartbeat_ = status->heartbeat;
@@ -138,7 +138,7 @@ void MachineSession::look() {
         take_status(*status, pid.has_value());
     }
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
-    sight_.life = core_life(pid.has_value(), silence);
+    view_.life = core_life(pid.has_value(), silence);
     find_profile();
     look_for_profile();
     look_for_checkpoint();
@@ -146,52 +146,52 @@ void MachineSession::look() {
 
 void MachineSession::take_status(const CoreStatus& status, bool has_core) {
     // A guard's last words come after the core has ended, and do not count as hearing the core.
-    const bool is_of_heard_core = sight_.status && sight_.status->tick <= status.tick;
-    sight_.missed_ticks_at_alarm = missed_ticks_at_alarm(sight_, status);
-    sight_.missed_per_s = missed_.note(status.missed_ticks, Clock::now());
+    const bool is_of_heard_core = view_.status && view_.status->tick <= status.tick;
+    view_.missed_ticks_at_alarm = missed_ticks_at_alarm(view_, status);
+    view_.missed_per_s = missed_.note(status.missed_ticks, Clock::now());
     // Another core may have the pid of the one before.
-    if (sight_.status && !is_of_heard_core) sight_.is_core_of_first_look = false;
-    sight_.status = status;
+    if (view_.status && !is_of_heard_core) view_.is_core_of_first_look = false;
+    view_.status = status;
     if (has_core) {
-        sight_.status_time = std::chrono::system_clock::now();
-        sight_.heard_state = status.state;
+        view_.status_time = std::chrono::system_clock::now();
+        view_.heard_state = status.state;
     } else if (!is_of_heard_core) {
         // The time of a dead core's status is not known.
-        sight_.status_time = {};
-        sight_.heard_state.reset();
+        view_.status_time = {};
+        view_.heard_state.reset();
     }
 }
 
 void MachineSession::look_for_checkpoint() {
-    sight_.resumable_layer.reset();
-    sight_.earlier_layer.reset();
-    sight_.is_checkpoint_from_disk = false;
-    sight_.is_disk_refusing = link_->segment().core_keeping().how == CoreKeeping::How::refused;
-    sight_.job_remarks = sight_.is_heard() ? link_->job_remarks() : std::vector<psicarve::Message>{};
+    view_.resumable_layer.reset();
+    view_.earlier_layer.reset();
+    view_.is_checkpoint_from_disk = false;
+    view_.is_disk_refusing = link_->segment().core_keeping().how == CoreKeeping::How::refused;
+    view_.job_remarks = view_.is_heard() ? link_->job_remarks() : std::vector<psicarve::Message>{};
     const auto checkpoint = link_->checkpoint();
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
-        sight_.resumable_layer = checkpoint->next_layer;
-    if (checkpoint->earlier_layer != 0) sight_.earlier_layer = checkpoint->earlier_layer;
-    sight_.checkpoint_layer_count = checkpoint->layer_count;
-    sight_.checkpoint_job_checksum = checkpoint->job_checksum;
-    sight_.is_checkpoint_from_disk = checkpoint->is_from_disk();
+        view_.resumable_layer = checkpoint->next_layer;
+    if (checkpoint->earlier_layer != 0) view_.earlier_layer = checkpoint->earlier_layer;
+    view_.checkpoint_layer_count = checkpoint->layer_count;
+    view_.checkpoint_job_checksum = checkpoint->job_checksum;
+    view_.is_checkpoint_from_disk = checkpoint->is_from_disk();
 }
 
 void MachineSession::look_for_saved_piece() {
     if (!has_looked_) return;  // whose piece it may be is not known yet
     auto found = disk_.take();
-    const bool is_wanted = may_be_saved(sight_) || sight_.is_checkpoint_from_disk;
+    const bool is_wanted = may_be_saved(view_) || view_.is_checkpoint_from_disk;
     if (!is_wanted) {
         saved_looked_ = {};  // the next request asks at once
-        return sight_.saved_piece.reset();
+        return view_.saved_piece.reset();
     }
-    const bool has_status = sight_.is_heard() && sight_.status;
-    const auto kind = has_status ? std::optional{sight_.is_simulator()} : std::nullopt;
+    const bool has_status = view_.is_heard() && view_.status;
+    const auto kind = has_status ? std::optional{view_.is_simulator()} : std::nullopt;
     if (std::exchange(saved_kind_, kind) != kind) saved_looked_ = {};
-    if (found) sight_.saved_piece = std::move(*found);
-    const auto& shown = sight_.saved_piece;
-    if (shown && kind && shown->saved.name().is_simulator != *kind) sight_.saved_piece.reset();
+    if (found) view_.saved_piece = std::move(*found);
+    const auto& shown = view_.saved_piece;
+    if (shown && kind && shown->saved.name().is_simulator != *kind) view_.saved_piece.reset();
     const auto now = Clock::now();
     if (disk_.is_under_way() || now - saved_looked_ < kDiskPause) return;
     saved_looked_ = now;
@@ -212,7 +212,7 @@ void MachineSession::deliver_forgetting() {
     if (!done) return;
     saved_looked_ = {};  // what is known of it is past
     if (!*done) return log_.add(Severity::warning, refusal_phrase(phrase("Forget"), done->error()));
-    sight_.saved_piece.reset();
+    view_.saved_piece.reset();
     log_.add(Severity::info, phrase("The unfinished piece is forgotten."));
 }
 
@@ -221,25 +221,25 @@ void MachineSession::find_profile() {
     if (hash == core_profile_hash_) return;
     core_profile_hash_ = hash;
     const bool is_other = hash != 0 && options_.profile && profile_hash(*options_.profile) != hash;
-    sight_.unused_profile = is_other ? options_.profile->name : std::string{};
-    sight_.core_profile_hash = hash;
-    sight_.profile.reset();
-    sight_.is_profile_of_job = false;
+    view_.unused_profile = is_other ? options_.profile->name : std::string{};
+    view_.core_profile_hash = hash;
+    view_.profile.reset();
+    view_.is_profile_of_job = false;
     for (const KnownProfile& known : profiles_) {
-        if (known.hash == hash) sight_.profile = known.profile;
+        if (known.hash == hash) view_.profile = known.profile;
     }
 }
 
 /// Once for each core whose profile is not known.
 void MachineSession::look_for_profile() {
-    const std::uint64_t hash = sight_.core_profile_hash;
-    const bool is_known = sight_.profile && !sight_.is_profile_of_job;
-    if (is_known || hash == 0 || !sight_.is_heard() || !profile_finder_.is_idle()) return;
-    if (sought_hash_ == hash && sought_pid_ == sight_.core_pid) return;
+    const std::uint64_t hash = view_.core_profile_hash;
+    const bool is_known = view_.profile && !view_.is_profile_of_job;
+    if (is_known || hash == 0 || !view_.is_heard() || !profile_finder_.is_idle()) return;
+    if (sought_hash_ == hash && sought_pid_ == view_.core_pid) return;
     sought_hash_ = hash;
-    sought_pid_ = sight_.core_pid;
+    sought_pid_ = view_.core_pid;
     profile_finder_.post(
-        [this, hash, pid = sight_.core_pid, find = options_.find_profile]() -> WorkLane::Finish {
+        [this, hash, pid = view_.core_pid, find = options_.find_profile]() -> BackgroundQueue::Finish {
             return [this, found = find(pid, hash)] {
                 if (found) offer_profile(*found);
             };
@@ -247,9 +247,9 @@ void MachineSession::look_for_profile() {
 }
 
 void MachineSession::go_on_with_start() {
-    if (sight_.life == CoreLife::none) return intent_.drop();
+    if (view_.life == CoreLife::none) return intent_.drop();
     // A core that is silent for a moment is still on its way to the first point.
-    if (sight_.is_heard() && sight_.status && intent_.take(*sight_.status))
+    if (view_.is_heard() && view_.status && intent_.take(*view_.status))
         order(CommandKind::start_interpolation, phrase("Start"));
 }
 
@@ -264,7 +264,7 @@ void MachineSession::forget_wishes() noexcept {
 void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const Error& why) {
     const Phrase what = refusal_phrase(name, why);
     log_.add_command(Severity::warning, what);
-    refused_.note({place, what, help_for(why.said)}, sight_);
+    refused_.note({place, what, help_for(why.said)}, view_);
 }
 
 void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
@@ -298,8 +298,8 @@ bool MachineSession::emergency_stop() noexcept {
     if (link_) link_->emergency_stop();
     forget_wishes();
     const bool has_core = link_ && core_now().has_value();
-    sight_.unheard_stop = !has_core || sight_.life == CoreLife::silent;
-    return !sight_.unheard_stop;
+    view_.unheard_stop = !has_core || view_.life == CoreLife::silent;
+    return !view_.unheard_stop;
 }
 
 void MachineSession::order(const Command& command, const Phrase& name) {
@@ -323,7 +323,7 @@ void MachineSession::order_and_tell(CommandKind kind, const std::function<void(b
 }
 
 void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers, RunKind kind) {
-    if (sight_.state() == MachineState::waiting)
+    if (view_.state() == MachineState::waiting)
         return order(CommandKind::start_interpolation, phrase("Start"));
     Command command{};
     command.kind = CommandKind::start;
@@ -332,7 +332,7 @@ void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers, RunKi
     const bool is_dry = kind == RunKind::dry;
     if (is_dry) command.axis = kStartsDry;
     // Then the core itself checks once more how far it came.
-    if (!is_dry && layers == 0 && sight_.resumable_layer == from_layer) command.axis = kStartResumes;
+    if (!is_dry && layers == 0 && view_.resumable_layer == from_layer) command.axis = kStartResumes;
     intent_.drop();
     send(command, phrase("Start"), [this] {
         const auto status = link_ ? link_->last_status() : std::nullopt;
@@ -346,7 +346,7 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
     }
     refused_.forget();
     orders_.post([this, command, name, then = std::move(then), otherwise = std::move(otherwise),
-                  segment = options_.segment_name, group = options_.group]() -> WorkLane::Finish {
+                  segment = options_.segment_name, group = options_.group]() -> BackgroundQueue::Finish {
         auto link = MachineLink::attach(segment, group);
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
         if (sent && command.kind == CommandKind::override) return then;

@@ -11,14 +11,14 @@
 #include "hmi/machine/forget_piece.hpp"
 #include "hmi/machine/loose_work.hpp"
 #include "hmi/machine/machine_link.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/core_profile.hpp"
 #include "hmi/session/jog_hand.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/refused_order.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/session/tick_health.hpp"
-#include "hmi/session/work_lane.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/segment/shared_record.hpp"
 
@@ -51,7 +51,7 @@ public:
 
     /// Call it at screen rate.
     void poll();
-    const MachineSight& sight() const noexcept { return sight_; }
+    const MachineView& view() const noexcept { return view_; }
     const SessionOptions& options() const noexcept { return options_; }
     /// Chosen by the user, as in the options.
     void set_profile(const Profile& profile);
@@ -68,10 +68,10 @@ public:
 
     // False when there is no core to take them.
     bool stop() noexcept;
-    /// Also false when the core is silent; sight() then shows an unheard stop until it is acknowledged, or
+    /// Also false when the core is silent; view() then shows an unheard stop until it is acknowledged, or
     /// another one is heard.
     bool emergency_stop() noexcept;
-    void acknowledge_unheard_stop() noexcept { sight_.unheard_stop = false; }
+    void acknowledge_unheard_stop() noexcept { view_.unheard_stop = false; }
 
     /// Sends a command; a refusal becomes a message that begins with `name`.
     void order(const Command& command, const Phrase& name);
@@ -130,7 +130,7 @@ private:
 
     SessionOptions options_;
     MessageLog& log_;
-    MachineSight sight_;
+    MachineView view_;
     std::optional<machine::MachineLink> link_;
     std::optional<RingReader<IncrementEntry, kIncrementRingEntries>> increments_;  // of link_
     std::vector<KnownProfile> profiles_;
@@ -151,11 +151,12 @@ private:
     RefusedOrder refused_;
     std::uint64_t jogs_asked_ = 0;
     JogHand jog_;
-    WorkLane finder_;
+    BackgroundQueue finder_;
     machine::LooseWork<std::optional<FoundCheckpoint>> disk_;         ///< may hang
     machine::LooseWork<Result<machine::ForgottenPiece>> forgetting_;  ///< may hang
-    WorkLane profile_finder_{WorkLane::Haste::background};  ///< a disk that hangs must not delay attaching
-    WorkLane orders_;
+    BackgroundQueue profile_finder_{
+        BackgroundQueue::Haste::background};  ///< a disk that hangs must not delay attaching
+    BackgroundQueue orders_;
 };
 
 }  // namespace psicarve::session

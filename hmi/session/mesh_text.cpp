@@ -58,17 +58,17 @@ bool has_volume(const model::MeshFacts& facts) {
 }
 
 Phrase size_phrase(const ModelKnowledge& known) {
-    const ModelSight* sight = known.sight;
-    if (sight == nullptr) return phrase("…");
-    const auto mm = [sight](std::size_t k) { return number_text(sight->size[k] * sight->mm_per_unit, 2); };
-    return phrase("%1 × %2 × %3 mm, scale %4", mm(0), mm(1), mm(2), number_text(sight->mm_per_unit, 4));
+    const ReachReport* view = known.reach;
+    if (view == nullptr) return phrase("…");
+    const auto mm = [view](std::size_t k) { return number_text(view->size[k] * view->mm_per_unit, 2); };
+    return phrase("%1 × %2 × %3 mm, scale %4", mm(0), mm(1), mm(2), number_text(view->mm_per_unit, 4));
 }
 
 Phrase volume_phrase(const ModelKnowledge& known) {
     if (!has_volume(known.mesh.facts))
         return phrase("not known: the surface is not closed, or turned both ways");
-    if (known.sight == nullptr) return phrase("…");
-    const double mm3 = std::abs(known.mesh.facts.signed_volume) * std::pow(known.sight->mm_per_unit, 3.0);
+    if (known.reach == nullptr) return phrase("…");
+    const double mm3 = std::abs(known.mesh.facts.signed_volume) * std::pow(known.reach->mm_per_unit, 3.0);
     return phrase("%1 cm³", number_text(mm3 / kMm3PerCm3OfMesh, 2));
 }
 
@@ -105,8 +105,8 @@ void add_places(std::vector<ReportRow>& rows, const std::vector<report::Span>& s
 Phrase undercut_phrase(const ModelKnowledge& known) {
     if (known.sliced_undercut_share)
         return phrase("%1 % of the surface", number_text(kPercentOfMesh * *known.sliced_undercut_share, 2));
-    if (known.sight == nullptr) return phrase("…");
-    return phrase("about %1 % of the surface", number_text(kPercentOfMesh * known.sight->undercut_share, 1));
+    if (known.reach == nullptr) return phrase("…");
+    return phrase("about %1 % of the surface", number_text(kPercentOfMesh * known.reach->undercut_share, 1));
 }
 
 void add_reach(const ModelKnowledge& known, std::vector<ReportRow>& rows) {
@@ -124,7 +124,7 @@ void add_reach(const ModelKnowledge& known, std::vector<ReportRow>& rows) {
 }
 
 void add_tool(const ModelKnowledge& known, std::vector<ReportRow>& rows) {
-    const PieceSight* piece = known.piece;
+    const PieceView* piece = known.piece;
     const Phrase name = piece != nullptr && piece->draft_allowance_mm ? phrase("The tool leaves (draft)")
                                                                       : phrase("The tool leaves");
     if (piece == nullptr || !piece->deviation) {

@@ -8,8 +8,8 @@
 #include "hmi/model/mesh.hpp"
 #include "hmi/phrase/phrase.hpp"
 #include "hmi/report/model_findings.hpp"
-#include "hmi/session/model_sight.hpp"
-#include "hmi/session/piece_sight.hpp"
+#include "hmi/session/piece_view.hpp"
+#include "hmi/session/reach_report.hpp"
 #include "hmi/session/run_watch.hpp"
 
 namespace psicarve::session {
@@ -21,11 +21,11 @@ std::vector<Phrase> mesh_lines(const model::Mesh& mesh, const std::array<double,
 /// What is known of a model so far.
 struct ModelKnowledge {
     const model::Mesh& mesh;
-    const ModelSight* sight = nullptr;                ///< null: being calculated
+    const ReachReport* reach = nullptr;               ///< null: being calculated
     const report::ModelFindings* findings = nullptr;  ///< null: being calculated
-    const PieceSight* piece = nullptr;                ///< null: being calculated, or there is none
+    const PieceView* piece = nullptr;                 ///< null: being calculated, or there is none
     Phrase no_piece;
-    std::optional<double> sliced_undercut_share{};  ///< the job's value; else the sight's is near
+    std::optional<double> sliced_undercut_share{};  ///< the job's value; else the reach's is near
 };
 /// The report of a model, as `psicarve inspect` prints it: its mesh, its size, what is hidden and open and
 /// where, and what the tool leaves.

@@ -20,12 +20,12 @@ Message message(Severity severity, Phrase what, Phrase remedy = {}) {
 }
 
 /// A loss that needs action at once is an alarm, even without a core to raise one.
-Message lost_message(const MachineSight& machine) {
+Message lost_message(const MachineView& machine) {
     AlarmText text = lost_core_text(machine);
     return message(Severity::alarm, std::move(text.title), std::move(text.steps.front()));
 }
 
-Message end_message(const MachineSight& before) {
+Message end_message(const MachineView& before) {
     // Once another core has begun, only this message keeps the place to continue from.
     const bool has_begun = before.status && before.status->points_done > 0 &&
                            before.status->points_done < before.status->points_total;
@@ -36,7 +36,7 @@ Message end_message(const MachineSight& before) {
                    phrase("Start it again; home before carving on"));
 }
 
-void tell_core(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+void tell_core(const MachineView& before, const MachineView& after, std::vector<Message>& told) {
     const bool was_there = before.life != CoreLife::none;
     const bool is_there = after.life != CoreLife::none;
     if (!was_there && is_there) {
@@ -90,7 +90,7 @@ void tell_job(const CoreStatus& before, const CoreStatus& after, std::vector<Mes
     }
 }
 
-void tell_profile(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+void tell_profile(const MachineView& before, const MachineView& after, std::vector<Message>& told) {
     const bool is_new = before.unused_profile != after.unused_profile ||
                         before.core_profile_hash != after.core_profile_hash || !before.is_heard();
     if (after.unused_profile.empty() || !is_new) return;
@@ -105,14 +105,14 @@ void tell_profile(const MachineSight& before, const MachineSight& after, std::ve
 }
 
 /// Reports it each time that the disk begins to refuse.
-void tell_refusing_disk(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+void tell_refusing_disk(const MachineView& before, const MachineView& after, std::vector<Message>& told) {
     if (!after.is_disk_refusing || before.is_disk_refusing) return;
     told.push_back(message(Severity::warning, phrase("The disk does not take how far the piece has come"),
                            phrase("If the power fails, do not go on by it; see to the disk.")));
 }
 
 /// Reports it when the core accepts the job, or a window begins to look.
-void tell_disagreement(const MachineSight& before, const MachineSight& after, std::vector<Message>& told) {
+void tell_disagreement(const MachineView& before, const MachineView& after, std::vector<Message>& told) {
     auto both = disagreement(after);
     if (both && disagreement(before) != both)
         told.push_back(message(Severity::warning, *std::move(both),
@@ -121,7 +121,7 @@ void tell_disagreement(const MachineSight& before, const MachineSight& after, st
 
 }  // namespace
 
-std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after) {
+std::vector<Message> changes_between(const MachineView& before, const MachineView& after) {
     std::vector<Message> told;
     std::vector<Message> alarms;
     if (after.status && after.is_heard()) alarms = fresh_alarms(before, after);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -40,7 +40,7 @@ struct Message {
 
 /// The changes of the machine between two looks at it, in the order of telling. For a core that is heard for
 /// the first time also the alarms that it still has; none is reported twice.
-std::vector<Message> changes_between(const MachineSight& before, const MachineSight& after);
+std::vector<Message> changes_between(const MachineView& before, const MachineView& after);
 
 /// The last messages, oldest first.
 class MessageLog {

@@ -12,7 +12,7 @@ void ModelWatch::forget() {
     findings_.reset();
     mesh_.reset();
     is_looked_into_ = false;
-    lane_.drop_waiting();
+    queue_.drop_waiting();
 }
 
 void ModelWatch::look(std::shared_ptr<const model::Mesh> mesh, std::shared_ptr<const MeshScene> scene,
@@ -25,13 +25,13 @@ void ModelWatch::look(std::shared_ptr<const model::Mesh> mesh, std::shared_ptr<c
     core_mm_ = profile.core_radius_mm;
     goes_on_ = std::make_shared<std::atomic<bool>>(true);
     options.search_progress = [goes_on = goes_on_](double) { return goes_on->load(); };
-    lane_.post([this, mesh = std::move(mesh), scene = std::move(scene), profile, options,
-                goes_on = goes_on_]() -> WorkLane::Finish {
-        auto sight = look_at_model(*mesh, *scene, profile, options);
-        if (!sight) return {};
-        auto painted = std::make_shared<const MeshScene>(painted_scene(*scene, *sight, rgb_, hidden_rgb_));
-        const auto hidden_view = view_of_hidden(*scene, *sight, options.up);
-        auto seen = std::make_shared<const Seen>(Seen{std::move(*sight), std::move(painted), hidden_view});
+    queue_.post([this, mesh = std::move(mesh), scene = std::move(scene), profile, options,
+                 goes_on = goes_on_]() -> BackgroundQueue::Finish {
+        auto reach = look_at_model(*mesh, *scene, profile, options);
+        if (!reach) return {};
+        auto painted = std::make_shared<const MeshScene>(painted_scene(*scene, *reach, rgb_, hidden_rgb_));
+        const auto hidden_view = view_of_hidden(*scene, *reach, options.up);
+        auto seen = std::make_shared<const Seen>(Seen{std::move(*reach), std::move(painted), hidden_view});
         return [this, goes_on, seen] {
             if (goes_on->load()) seen_ = seen;
         };
@@ -39,16 +39,16 @@ void ModelWatch::look(std::shared_ptr<const model::Mesh> mesh, std::shared_ptr<c
 }
 
 void ModelWatch::poll(bool wants_findings) {
-    lane_.deliver();
+    queue_.deliver();
     if (!wants_findings || !seen_ || is_looked_into_) return;
     is_looked_into_ = true;
-    const ModelSight& sight = seen_->sight;
+    const ReachReport& reach = seen_->reach;
     const piece::PlacedModel model{mesh_,
-                                   {up_, middle_[0] + sight.axis[0], middle_[1] + sight.axis[1]},
-                                   sight.mm_per_unit,
+                                   {up_, middle_[0] + reach.axis[0], middle_[1] + reach.axis[1]},
+                                   reach.mm_per_unit,
                                    base_mm_,
                                    core_mm_};
-    lane_.post([this, model, goes_on = goes_on_]() -> WorkLane::Finish {
+    queue_.post([this, model, goes_on = goes_on_]() -> BackgroundQueue::Finish {
         auto found = report::find_in_model(model, {1, [&goes_on](double) { return goes_on->load(); }});
         if (!found) return {};
         auto findings = std::make_shared<const report::ModelFindings>(std::move(*found));

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "hmi/report/model_findings.hpp"
-#include "hmi/session/model_sight.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
+#include "hmi/session/reach_report.hpp"
 
 namespace psicarve::session {
 
@@ -15,7 +15,7 @@ namespace psicarve::session {
 class ModelWatch {
 public:
     struct Seen {
-        ModelSight sight;
+        ReachReport reach;
         std::shared_ptr<const MeshScene> painted;
         std::optional<SceneView> hidden_view;  ///< as view_of_hidden()
     };
@@ -46,7 +46,7 @@ private:
     double core_mm_ = 0.0;
     bool is_looked_into_ = false;
     std::shared_ptr<const report::ModelFindings> findings_;
-    WorkLane lane_{WorkLane::Haste::background};
+    BackgroundQueue queue_{BackgroundQueue::Haste::background};
 };
 
 }  // namespace psicarve::session

@@ -24,15 +24,15 @@ struct PinRecorder::Taken {
     RingReader<FlightRecord, kFlightRecords> records;  ///< of the recording
 };
 
-PinRecorder::PinRecorder(std::string segment_name, std::string group, MessageLog& log, SaveLedger saves)
+PinRecorder::PinRecorder(std::string segment_name, std::string group, MessageLog& log, PendingSaves saves)
     : segment_name_(std::move(segment_name)), group_(std::move(group)), log_(log), saves_(std::move(saves)) {}
 
 PinRecorder::~PinRecorder() {
     // Ends a recording here, so that its file is whole; one that is ending gets its time.
-    if (state_ == State::ending) lane_.finish();
-    lane_.drop_waiting();
+    if (state_ == State::ending) queue_.finish();
+    queue_.drop_waiting();
     if (!taken_ || !taken_->pins || state_ != State::recording) return;
-    const SaveLedger::Entry save = saves_.begin(path_);
+    const PendingSaves::Entry save = saves_.begin(path_);
     (void)taken_->pins->finish();
 }
 
@@ -41,7 +41,7 @@ void PinRecorder::begin(const std::string& path, const JobPointer& job) {
     state_ = State::starting;
     ends_once_begun_ = false;
     path_ = path;
-    lane_.post([this, path, job, segment = segment_name_, group = group_]() -> WorkLane::Finish {
+    queue_.post([this, path, job, segment = segment_name_, group = group_]() -> BackgroundQueue::Finish {
         auto link = machine::MachineLink::attach(segment, group);
         if (!link) {
             return [this, why = link.error()] {
@@ -77,8 +77,8 @@ void PinRecorder::end() {
     if (state_ == State::starting) ends_once_begun_ = true;
     if (state_ != State::recording) return;
     state_ = State::ending;
-    // Threads of the recording write the file's end; the lane waits for them here.
-    lane_.post([this, taken = taken_, save = saves_.begin(path_)]() -> WorkLane::Finish {
+    // Threads of the recording write the file's end; the queue waits for them here.
+    queue_.post([this, taken = taken_, save = saves_.begin(path_)]() -> BackgroundQueue::Finish {
         const auto report = taken->pins->finish();
         const auto no_file = taken->pins->trace_failure();
         taken->pins.reset();
@@ -111,8 +111,8 @@ void PinRecorder::tell(const Result<verify::VerifyReport>& report, std::optional
     }
 }
 
-void PinRecorder::poll(const MachineSight& machine) {
-    lane_.deliver();
+void PinRecorder::poll(const MachineView& machine) {
+    queue_.deliver();
     if (machine.status) last_ = machine.status;
     if (state_ != State::recording || !last_) return;
     const CoreStatus& now = *last_;
@@ -146,7 +146,7 @@ std::optional<verify::VerifyReport> PinRecorder::verdict_on(const machine::JobRu
     return verdict_;
 }
 
-std::optional<Phrase> record_lock(const MachineSight& machine, bool has_core_job, PinRecorder::State state) {
+std::optional<Phrase> record_lock(const MachineView& machine, bool has_core_job, PinRecorder::State state) {
     if (state == PinRecorder::State::recording || state == PinRecorder::State::starting) return std::nullopt;
     if (state == PinRecorder::State::ending)
         return phrase("Record pins: the last recording is being written");

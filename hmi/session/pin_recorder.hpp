@@ -8,10 +8,10 @@
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/machine/job_run.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/background_queue.hpp"
+#include "hmi/session/machine_view.hpp"
 #include "hmi/session/message_log.hpp"
-#include "hmi/session/save_ledger.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/pending_saves.hpp"
 #include "hmi/verify/verify_report.hpp"
 
 namespace psicarve::session {
@@ -24,7 +24,7 @@ public:
     using JobPointer = std::shared_ptr<const cam::PreparedJob>;
     enum class State : std::uint8_t { idle, starting, recording, ending };
 
-    PinRecorder(std::string segment_name, std::string group, MessageLog& log, SaveLedger saves = {});
+    PinRecorder(std::string segment_name, std::string group, MessageLog& log, PendingSaves saves = {});
     /// Keeps the recording; waits for it.
     ~PinRecorder();
 
@@ -32,7 +32,7 @@ public:
     void begin(const std::string& path, const JobPointer& job);
     void end();
     /// Call it at screen rate.
-    void poll(const MachineSight& machine);
+    void poll(const MachineView& machine);
 
     State state() const noexcept { return state_; }
     const std::string& path() const noexcept { return path_; }
@@ -50,7 +50,7 @@ private:
     std::string segment_name_;
     std::string group_;
     MessageLog& log_;
-    SaveLedger saves_;
+    PendingSaves saves_;
     State state_ = State::idle;
     bool ends_once_begun_ = false;
     std::string path_;
@@ -61,10 +61,10 @@ private:
     bool is_one_whole_run_ = false;
     std::uint64_t judged_start_tick_ = 0;
     std::optional<verify::VerifyReport> verdict_;
-    WorkLane lane_;  // last: its thread uses the others
+    BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 /// Why recording cannot begin.
-std::optional<Phrase> record_lock(const MachineSight& machine, bool has_core_job, PinRecorder::State state);
+std::optional<Phrase> record_lock(const MachineView& machine, bool has_core_job, PinRecorder::State state);
 
 }  // namespace psicarve::session

@@ -14,7 +14,7 @@ namespace {
 
 using V = Check::Verdict;
 
-Check core_check(const MachineSight& machine) {
+Check core_check(const MachineView& machine) {
     const Phrase name = phrase("Core alive");
     if (machine.life == CoreLife::none) return {name, phrase("no core"), V::fail};
     if (!machine.is_heard() || !machine.status) return {name, phrase("silent"), V::fail};
@@ -22,14 +22,14 @@ Check core_check(const MachineSight& machine) {
     return {name, phrase("%1 µs", number_text(tick_us, 0)), V::pass};
 }
 
-Check alarm_check(const MachineSight& machine) {
+Check alarm_check(const MachineView& machine) {
     const bool is_alarm =
         machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off;
     return {phrase("No alarm"), is_alarm ? phrase("reset first") : phrase("none"),
             is_alarm ? V::fail : V::pass};
 }
 
-Check limits_check(const MachineSight& machine) {
+Check limits_check(const MachineView& machine) {
     std::string closed;
     for (const Axis axis : {Axis::r1, Axis::r2, Axis::y}) {
         if (machine.is_active(sensor_of(axis)))
@@ -40,7 +40,7 @@ Check limits_check(const MachineSight& machine) {
     return {name, phrase("3 of 3"), V::pass};
 }
 
-Check homed_check(const MachineSight& machine) {
+Check homed_check(const MachineView& machine) {
     std::string missing;
     for (const Axis axis : kAllAxes) {
         if (!machine.is_homed(axis)) missing += (missing.empty() ? "" : " ") + std::string{axis_letter(axis)};
@@ -51,38 +51,38 @@ Check homed_check(const MachineSight& machine) {
     return {name, phrase("R1 R2 Ψ Y"), V::pass};
 }
 
-Check made_check(const JobSight& job, bool core_has_job) {
+Check made_check(const OpenJobView& job, bool core_has_job) {
     const Phrase name = phrase("Job in travel");
     switch (job.state) {
-        case DeskState::opening:
-        case DeskState::slicing:
+        case OpenJobState::opening:
+        case OpenJobState::slicing:
             return {name, phrase("being made"), V::fail};
-        case DeskState::model:
+        case OpenJobState::model:
             return {name, phrase("slice first"), V::fail};
-        case DeskState::empty:
+        case OpenJobState::empty:
             if (!core_has_job) return {name, phrase("no job"), V::fail};
             break;
-        case DeskState::job:
-        case DeskState::publishing:
-        case DeskState::published:
+        case OpenJobState::job:
+        case OpenJobState::publishing:
+        case OpenJobState::published:
             break;
     }
     return {name, phrase("checked"), V::pass};
 }
 
 /// A job that violates it is never made, nor accepted by the core: shows what is kept.
-Check clearance_check(const MachineSight& machine, const Check& made) {
+Check clearance_check(const MachineView& machine, const Check& made) {
     const Phrase name = phrase("Head clearance");
     if (made.verdict != V::pass) return {name, phrase("–"), V::info};
     if (!machine.profile) return {name, phrase("not known"), V::info};
     return {name, phrase("≥ %1 mm", number_text(machine.profile->head_clearance_mm, 1)), V::pass};
 }
 
-Check published_check(const MachineSight& machine, const JobSight& job) {
+Check published_check(const MachineView& machine, const OpenJobView& job) {
     const Phrase name = phrase("Job published");
     const std::uint64_t generation = machine.status ? machine.status->job_generation : 0;
-    if (job.state == DeskState::publishing) return {name, phrase("under way"), V::fail};
-    const bool is_ours = job.state == DeskState::published || job.state == DeskState::empty;
+    if (job.state == OpenJobState::publishing) return {name, phrase("under way"), V::fail};
+    const bool is_ours = job.state == OpenJobState::published || job.state == OpenJobState::empty;
     if (generation == 0 || !is_ours) return {name, phrase("publish first"), V::fail};
     return {name, phrase("no. %1", std::to_string(generation)), V::pass};
 }
@@ -104,12 +104,12 @@ Phrase blank_detail(const BlankDifference& difference) {
 }
 
 /// The core refuses a job that was made for another machine; this check shows it before.
-Check profile_check(const MachineSight& machine, const JobSight& job) {
+Check profile_check(const MachineView& machine, const OpenJobView& job) {
     const Phrase name = phrase("Profile matches job");
     const bool has_core_job = machine.status && machine.status->job_generation != 0;
-    if (job.state == DeskState::empty && !has_core_job) return {name, phrase("no job"), V::info};
+    if (job.state == OpenJobState::empty && !has_core_job) return {name, phrase("no job"), V::info};
     if (!job.profile_difference.empty()) return {name, phrase("%1", job.profile_difference), V::fail};
-    const bool is_accepted = job.state == DeskState::published || job.state == DeskState::empty;
+    const bool is_accepted = job.state == OpenJobState::published || job.state == OpenJobState::empty;
     if (!job.has_job() && !is_accepted) return {name, phrase("–"), V::info};
     if (!machine.profile) return {name, phrase("not known"), V::info};
     if (job.blank_difference) {
@@ -123,14 +123,14 @@ Check profile_check(const MachineSight& machine, const JobSight& job) {
 constexpr std::uint64_t kTicksPerMissed = 100'000;  // one in five seconds of a tick of 50 us
 
 /// In the words of the command line for the alarm.
-Phrase missed_remedy(const MachineSight& machine) {
+Phrase missed_remedy(const MachineView& machine) {
     if (machine.is_simulator())
         return phrase("start the core with --clock virtual, or raise tick.missed_alarm_per_s");
     return phrase("give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s");
 }
 
 /// By the rule of the core's alarm once something moves; nothing while no tick is missed.
-std::optional<Check> missed_check(const MachineSight& machine) {
+std::optional<Check> missed_check(const MachineView& machine) {
     if (machine.missed_per_s == 0 || !machine.profile || machine.is_profile_of_job) return std::nullopt;
     const std::int64_t allowed_per_s = machine.profile->tick.missed_alarm_per_s;
     if (allowed_per_s <= 0) return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<Check> missed_check(const MachineSight& machine) {
 }
 
 /// On a simulated machine a busy computer does no harm.
-Check ticks_check(const MachineSight& machine) {
+Check ticks_check(const MachineView& machine) {
     const CoreStatus& status = *machine.status;
     const Phrase name = phrase("Real-time rights");
     const bool has_rights = status.has_realtime_rights != 0;
@@ -163,7 +163,7 @@ Check ticks_check(const MachineSight& machine) {
     return {name, phrase("granted"), V::pass};
 }
 
-Check override_check(const MachineSight& machine) {
+Check override_check(const MachineView& machine) {
     const std::uint32_t percent = machine.status->override_percent;
     const Phrase name = phrase("Feed override");
     if (percent == 0) return {name, phrase("not known"), V::info};
@@ -172,9 +172,9 @@ Check override_check(const MachineSight& machine) {
 
 }  // namespace
 
-std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job) {
+std::vector<Check> preflight_checks(const MachineView& machine, const OpenJobView& job) {
     // While a job runs the checks are about that one, whatever has been opened or sliced since.
-    const JobSight shown = runs_job(machine.state()) ? JobSight{DeskState::published} : job;
+    const OpenJobView shown = runs_job(machine.state()) ? OpenJobView{OpenJobState::published} : job;
     std::vector<Check> checks{core_check(machine)};
     if (!machine.status || !machine.is_heard()) return checks;
     checks.push_back(alarm_check(machine));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -27,6 +27,6 @@ inline constexpr std::size_t kMostChecks = 10;
 
 /// The conditions for Start, in the order in which they are met. Start is locked exactly while one of them
 /// fails (action_lock.hpp); docs/operator.md has a table of them.
-std::vector<Check> preflight_checks(const MachineSight& machine, const JobSight& job);
+std::vector<Check> preflight_checks(const MachineView& machine, const OpenJobView& job);
 
 }  // namespace psicarve::session

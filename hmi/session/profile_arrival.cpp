@@ -7,7 +7,7 @@ namespace psicarve::session {
 
 void ProfileArrival::fetch(const std::string& path, Told told) {
     is_awaited_ = true;
-    lane_.post([this, path, told = std::move(told)]() -> WorkLane::Finish {
+    queue_.post([this, path, told = std::move(told)]() -> BackgroundQueue::Finish {
         return [this, told, read = load_profile(path)] {
             is_awaited_ = false;
             told(read);

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "shared/base/result.hpp"
 #include "shared/profile/profile.hpp"
 
@@ -21,11 +21,11 @@ public:
     /// The machine's profile is not known until then.
     bool is_awaited() const noexcept { return is_awaited_; }
     /// Call it at screen rate.
-    void poll() { lane_.deliver(); }
+    void poll() { queue_.deliver(); }
 
 private:
     bool is_awaited_ = false;
-    WorkLane lane_;  // last: its thread uses the others
+    BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 }  // namespace psicarve::session

@@ -16,11 +16,11 @@ constexpr std::uint64_t kHeartbeatsToSettle = 2;
 constexpr SignalWord kSwitches =
     bit_of(Signal::r1_limit) | bit_of(Signal::r2_limit) | bit_of(Signal::y_limit) | bit_of(Signal::estop);
 
-bool rests_in_alarm(const MachineSight& machine) noexcept {
+bool rests_in_alarm(const MachineView& machine) noexcept {
     return machine.state() == MachineState::alarm || machine.state() == MachineState::backing_off;
 }
 
-bool needs_homing(const MachineSight& machine) noexcept {
+bool needs_homing(const MachineView& machine) noexcept {
     return machine.state() == MachineState::off ||
            !std::ranges::all_of(kAllAxes, [&](Axis axis) { return machine.is_homed(axis); });
 }
@@ -69,7 +69,7 @@ OrderRefusal::Help help_for(const psicarve::Message& why) noexcept {
     return why.arguments[1].bits == argument_of(MachineState::off).bits ? Help::home_all : Help::none;
 }
 
-RefusedOrder::Ground RefusedOrder::ground_of(const MachineSight& machine) noexcept {
+RefusedOrder::Ground RefusedOrder::ground_of(const MachineView& machine) noexcept {
     Ground ground;
     ground.is_heard = machine.is_heard();
     ground.core_pid = machine.core_pid;
@@ -85,7 +85,7 @@ RefusedOrder::Ground RefusedOrder::ground_of(const MachineSight& machine) noexce
     return ground;
 }
 
-bool RefusedOrder::still_helps(const MachineSight& machine) const noexcept {
+bool RefusedOrder::still_helps(const MachineView& machine) const noexcept {
     switch (told_->help) {
         case OrderRefusal::Help::home_all:
             return needs_homing(machine);
@@ -97,13 +97,13 @@ bool RefusedOrder::still_helps(const MachineSight& machine) const noexcept {
     return true;
 }
 
-void RefusedOrder::note(OrderRefusal refusal, const MachineSight& machine) {
+void RefusedOrder::note(OrderRefusal refusal, const MachineView& machine) {
     told_ = std::move(refusal);
     ground_ = ground_of(machine);
     settled_heartbeat_ = (machine.status ? machine.status->heartbeat : 0) + kHeartbeatsToSettle;
 }
 
-void RefusedOrder::look(const MachineSight& machine) {
+void RefusedOrder::look(const MachineView& machine) {
     if (!told_) return;
     const Ground now = ground_of(machine);
     const bool is_settling =

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/message/message.hpp"
 
@@ -31,9 +31,9 @@ OrderRefusal::Help help_for(const psicarve::Message& why) noexcept;
 /// or the machine's state has.
 class RefusedOrder {
 public:
-    void note(OrderRefusal refusal, const MachineSight& machine);
+    void note(OrderRefusal refusal, const MachineView& machine);
     /// Call it at every look at the machine.
-    void look(const MachineSight& machine);
+    void look(const MachineView& machine);
     void forget() noexcept { told_.reset(); }
     void forget(OrderPlace place) noexcept {
         if (told_ && told_->place == place) forget();
@@ -54,8 +54,8 @@ private:
         std::array<std::int64_t, kAxisCount> position_pulses{};  ///< at rest
         bool operator==(const Ground&) const = default;
     };
-    static Ground ground_of(const MachineSight& machine) noexcept;
-    bool still_helps(const MachineSight& machine) const noexcept;
+    static Ground ground_of(const MachineView& machine) noexcept;
+    bool still_helps(const MachineView& machine) const noexcept;
 
     std::optional<OrderRefusal> told_;
     Ground ground_;

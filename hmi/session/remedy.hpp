@@ -28,7 +28,7 @@ struct Remedy {
 };
 
 /// A request that the desk refused.
-struct DeskRefusal {
+struct OpenJobRefusal {
     enum class Of : std::uint8_t { slicing, publishing };
     Of of = Of::slicing;
     std::string name;  ///< of what is on the desk; `why` may begin with it

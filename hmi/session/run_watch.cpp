@@ -26,7 +26,7 @@ Phrase time_or_none(const std::optional<double>& seconds) {
 
 }  // namespace
 
-void RunWatch::note(const MachineSight& machine, Clock::time_point now) {
+void RunWatch::note(const MachineView& machine, Clock::time_point now) {
     if (!machine.status || !machine.is_heard()) return;
     const CoreStatus& status = *machine.status;
     if (machine.core_pid != core_pid_) {

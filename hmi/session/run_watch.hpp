@@ -8,7 +8,7 @@
 
 #include "hmi/machine/job_run.hpp"
 #include "hmi/phrase/phrase.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 
 namespace psicarve::session {
 
@@ -18,7 +18,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// Call it at every look at the machine.
-    void note(const MachineSight& machine, Clock::time_point now);
+    void note(const MachineView& machine, Clock::time_point now);
     /// The last run, also while it goes on; nothing when this core has started none.
     const std::optional<machine::JobRun>& run() const noexcept { return run_; }
     bool is_over() const noexcept { return is_over_; }

@@ -43,7 +43,7 @@ void add_run_before(std::vector<Phrase>& to, const Checkpoint& checkpoint) {
 }
 
 /// Whether the question is about the disk's record, and not about another piece or run since.
-bool is_of_checkpoint(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
+bool is_of_checkpoint(const SavedCheckpoint& saved, const MachineView& machine) noexcept {
     const Checkpoint& checkpoint = saved.checkpoint;
     return checkpoint.job_checksum == machine.checkpoint_job_checksum &&
            checkpoint.layer_count == machine.checkpoint_layer_count &&
@@ -52,7 +52,7 @@ bool is_of_checkpoint(const SavedCheckpoint& saved, const MachineSight& machine)
 }
 
 /// Without a core its profile is not known.
-bool is_other_profile(const SavedCheckpoint& saved, const MachineSight& machine) noexcept {
+bool is_other_profile(const SavedCheckpoint& saved, const MachineView& machine) noexcept {
     return machine.is_heard() && machine.core_profile_hash != 0 &&
            machine.core_profile_hash != saved.profile_hash;
 }
@@ -76,12 +76,12 @@ Phrase other_profile() {
 
 }  // namespace
 
-bool is_from_disk_alone(const MachineSight& machine, std::uint32_t layer) noexcept {
+bool is_from_disk_alone(const MachineView& machine, std::uint32_t layer) noexcept {
     return machine.is_heard() && machine.is_checkpoint_from_disk &&
            (machine.resumable_layer == layer || machine.earlier_layer == layer);
 }
 
-std::optional<Phrase> disagreement(const MachineSight& machine) {
+std::optional<Phrase> disagreement(const MachineView& machine) {
     const auto both =
         std::ranges::find(machine.job_remarks, MessageId::segment_and_disk_disagree, &psicarve::Message::id);
     // What was carved since is known.
@@ -90,7 +90,7 @@ std::optional<Phrase> disagreement(const MachineSight& machine) {
     return message_phrase(*both);
 }
 
-std::vector<Phrase> disk_question(const MachineSight& machine) {
+std::vector<Phrase> disk_question(const MachineView& machine) {
     std::vector<Phrase> question;
     const auto& found = machine.saved_piece;
     const bool is_known = found && found->keeper != Keeper::other_core;
@@ -112,7 +112,7 @@ std::vector<Phrase> disk_question(const MachineSight& machine) {
     return question;
 }
 
-bool may_be_saved(const MachineSight& machine) noexcept {
+bool may_be_saved(const MachineView& machine) noexcept {
     return !machine.is_heard() || !machine.status || machine.status->job_generation == 0;
 }
 
@@ -124,7 +124,7 @@ Phrase saved_title(const SavedCheckpoint& saved) {
                   count, saved.source_name);
 }
 
-std::optional<ForgettablePiece> forgettable_piece(const MachineSight& machine) {
+std::optional<ForgettablePiece> forgettable_piece(const MachineView& machine) {
     const auto& found = machine.saved_piece;
     const bool is_segments = machine.is_checkpoint_from_disk && (!may_be_saved(machine) || !found);
     if (!is_segments) {
@@ -140,7 +140,7 @@ std::optional<ForgettablePiece> forgettable_piece(const MachineSight& machine) {
                           machine.checkpoint_layer_count})};
 }
 
-std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSight& machine) {
+std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineView& machine) {
     std::vector<Phrase> details{origin(found.saved)};
     if (is_other_profile(found.saved, machine)) details.push_back(other_profile());
     add_doubts(details, found);
@@ -150,7 +150,7 @@ std::vector<Phrase> saved_details(const FoundCheckpoint& found, const MachineSig
     return details;
 }
 
-std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineSight& machine) {
+std::vector<Phrase> saved_needs(const FoundCheckpoint& found, const MachineView& machine) {
     const Checkpoint& checkpoint = found.saved.checkpoint;
     std::vector<Phrase> needs;
     if (is_other_profile(found.saved, machine)) needs.push_back(other_profile());

@@ -62,7 +62,7 @@ Phrase difference_phrase(const std::string& what) {
 void SnapshotCompare::compare(const std::string& path_a, const std::string& path_b) {
     if (is_comparing_) return;
     is_comparing_ = true;
-    lane_.post([this, path_a, path_b]() -> WorkLane::Finish {
+    queue_.post([this, path_a, path_b]() -> BackgroundQueue::Finish {
         const auto comparison = compared(path_a, path_b);
         return [this, comparison] {
             is_comparing_ = false;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/message_log.hpp"
-#include "hmi/session/work_lane.hpp"
 
 namespace psicarve::session {
 
@@ -33,7 +33,7 @@ public:
     void compare(const std::string& path_a, const std::string& path_b);
     bool is_comparing() const noexcept { return is_comparing_; }
     /// Call it at screen rate.
-    void poll() { lane_.deliver(); }
+    void poll() { queue_.deliver(); }
     /// The result of the last comparison, once.
     std::shared_ptr<const Comparison> take() noexcept { return std::move(done_); }
 
@@ -41,7 +41,7 @@ private:
     MessageLog& log_;
     bool is_comparing_ = false;
     std::shared_ptr<const Comparison> done_;
-    WorkLane lane_{WorkLane::Haste::background};  // last: its thread uses the others
+    BackgroundQueue queue_{BackgroundQueue::Haste::background};  // last: its thread uses the others
 };
 
 /// "layers", "profile axis.r1.speed_mm_s" ... as the command line names it.

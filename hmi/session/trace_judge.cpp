@@ -7,7 +7,7 @@
 #include "hmi/phrase/axis_letter.hpp"
 #include "hmi/phrase/error_phrase.hpp"
 #include "hmi/session/display_text.hpp"
-#include "hmi/session/machine_sight.hpp"
+#include "hmi/session/machine_view.hpp"
 #include "hmi/trace/carried_job.hpp"
 #include "shared/job/job.hpp"
 #include "shared/record/snapshot_file.hpp"
@@ -52,7 +52,7 @@ void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::Prepa
     is_judging_ = true;
     cancels_.store(false);
     log_.add(Severity::info, phrase("Verifying %1", std::filesystem::path{path}.filename().string()));
-    lane_.post([this, path, job = std::move(job)]() -> WorkLane::Finish {
+    queue_.post([this, path, job = std::move(job)]() -> BackgroundQueue::Finish {
         const auto judgement = judged(path, job, cancels_);
         if (!judgement) {
             return [this, why = judgement.error()] {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hmi/cam/prepared_job.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/message_log.hpp"
-#include "hmi/session/work_lane.hpp"
 #include "hmi/verify/verifier.hpp"
 
 namespace psicarve::session {
@@ -35,7 +35,7 @@ public:
     void cancel() noexcept { cancels_.store(true); }
     bool is_judging() const noexcept { return is_judging_; }
     /// Call it at screen rate.
-    void poll() { lane_.deliver(); }
+    void poll() { queue_.deliver(); }
     /// The result of the last judgement, once.
     std::shared_ptr<const Judgement> take() noexcept { return std::move(done_); }
 
@@ -44,7 +44,7 @@ private:
     bool is_judging_ = false;
     std::atomic<bool> cancels_{false};
     std::shared_ptr<const Judgement> done_;
-    WorkLane lane_{WorkLane::Haste::background};  // last: its thread uses the others
+    BackgroundQueue queue_{BackgroundQueue::Haste::background};  // last: its thread uses the others
 };
 
 struct VerdictRow {

@@ -22,8 +22,8 @@ bool may_start_motion(session::Action action) {
 ActionButton::ActionButton(session::Action action, const QString& text, std::function<void()> act,
                            QWidget* parent)
     : ActionButton(
-          [action](const Bench& bench) {
-              return session::lock_of(action, bench.machine.sight(), bench.desk.sight());
+          [action](const WindowContext& context) {
+              return session::lock_of(action, context.machine.view(), context.open_job.view());
           },
           text, std::move(act), parent) {
     may_move_ = may_start_motion(action);
@@ -48,8 +48,8 @@ void ActionButton::set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill) {
     setIcon(glyph_icon(glyph, on_fill ? tokens.on_fill : tokens.text, tokens.dis));
 }
 
-const QString& ActionButton::refresh(const Bench& bench) {
-    const auto lock = bench.replay.is_open() ? replay::lock() : lock_of_(bench);
+const QString& ActionButton::refresh(const WindowContext& context) {
+    const auto lock = context.replay.is_open() ? replay::lock() : lock_of_(context);
     const QString reason = lock ? words(*lock) : QString{};
     lock_with(*this, reason, hint_);
     reason_ = reason;

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "hmi/session/action_lock.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 namespace psicarve::ui {
 
@@ -17,7 +17,7 @@ namespace psicarve::ui {
 class ActionButton : public QPushButton {
 public:
     /// What stands in the way of it; nothing when it can be asked for.
-    using LockOf = std::function<std::optional<session::Phrase>(const Bench&)>;
+    using LockOf = std::function<std::optional<session::Phrase>(const WindowContext&)>;
 
     /// For what is no Action: something of one axis, of one page.
     ActionButton(LockOf lock_of, const QString& text, std::function<void()> act, QWidget* parent = nullptr);
@@ -27,7 +27,7 @@ public:
 
     void set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill = false);
     /// Locks or unlocks it. Why it is locked, in the operator's language; else empty.
-    const QString& refresh(const Bench& bench);
+    const QString& refresh(const WindowContext& context);
     const QString& reason() const noexcept { return reason_; }
     /// What it does, shown while it can.
     void set_hint(const QString& hint) { hint_ = hint; }

@@ -34,9 +34,9 @@ QString whole_if_short(QString step) {
 
 }  // namespace
 
-AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
+AlarmBanner::AlarmBanner(WindowContext& context, QWidget* parent)
     : QFrame(parent),
-      bench_(bench),
+      context_(context),
       icon_(new QLabel),
       title_(role_label("title")),
       detail_(plain_label()),
@@ -44,7 +44,7 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
       back_off_(new ActionButton{session::Action::back_off, tr("Back off"), [this] { back_off(); }}),
       reset_(new ActionButton{
           session::Action::reset_alarm, tr("Reset alarm"),
-          [this] { bench_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm")); }}),
+          [this] { context_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm")); }}),
       acknowledge_(new QPushButton{tr("Acknowledge")}),
       reason_(role_label("label")),
       room_(new QScrollArea) {
@@ -58,7 +58,7 @@ AlarmBanner::AlarmBanner(Bench& bench, QWidget* parent)
     acknowledge_->setFocusPolicy(Qt::TabFocus);
     acknowledge_->setToolTip(tr("Takes this away once it was read; it moves and stops nothing"));
     connect(acknowledge_, &QPushButton::clicked, this, [this] {
-        bench_.machine.acknowledge_unheard_stop();
+        context_.machine.acknowledge_unheard_stop();
         refresh();
     });
     detail_->setObjectName("alarm_detail");
@@ -164,38 +164,38 @@ void AlarmBanner::set_theme(const Tokens& tokens) {
 
 void AlarmBanner::back_off() {
     for (const Axis axis : {Axis::r1, Axis::r2, Axis::y}) {
-        if (!bench_.machine.sight().is_active(sensor_of(axis))) continue;
+        if (!context_.machine.view().is_active(sensor_of(axis))) continue;
         Command command{};
         command.kind = CommandKind::back_off;
         command.axis = static_cast<std::uint32_t>(index_of(axis));
-        bench_.machine.order(command, session::phrase("Back off"));
+        context_.machine.order(command, session::phrase("Back off"));
         return;
     }
 }
 
 /// Without a core there is nothing to be reset.
 void AlarmBanner::refresh_buttons() {
-    const session::MachineSight& sight = bench_.machine.sight();
+    const session::MachineView& view = context_.machine.view();
     QStringList reasons;
     for (ActionButton* button : {back_off_, reset_}) {
-        const QString& reason = button->refresh(bench_);
+        const QString& reason = button->refresh(context_);
         if (!reason.isEmpty() && !reasons.contains(reason)) reasons << reason;
     }
-    const auto& refused = bench_.machine.refused_order();
+    const auto& refused = context_.machine.refused_order();
     const bool is_refused = refused && refused->place == session::OrderPlace::alarm;
     reason_->setText(is_refused ? words(refused->what) : reasons.join('\n'));
     set_styled(reason_, "trouble", is_refused ? "yes" : "no");
-    const bool has_core = sight.is_heard();
+    const bool has_core = view.is_heard();
     for (QWidget* widget :
          {static_cast<QWidget*>(back_off_), static_cast<QWidget*>(reset_), static_cast<QWidget*>(reason_)}) {
         if (widget->isHidden() == has_core) widget->setVisible(has_core);
     }
-    if (acknowledge_->isHidden() == sight.unheard_stop) acknowledge_->setVisible(sight.unheard_stop);
+    if (acknowledge_->isHidden() == view.unheard_stop) acknowledge_->setVisible(view.unheard_stop);
 }
 
 void AlarmBanner::refresh() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const auto text = session::loud_text(sight);
+    const session::MachineView& view = context_.machine.view();
+    const auto text = session::loud_text(view);
     refresh_buttons();
     const bool was_hidden = isHidden();
     if (was_hidden == text.has_value()) setVisible(text.has_value());
@@ -203,8 +203,8 @@ void AlarmBanner::refresh() {
     const QString title = words(text->title);
     if (was_hidden || title_->text() != title) room_->verticalScrollBar()->setValue(0);
     title_->setText(title);
-    const bool is_past = !sight.is_heard() && sight.status;
-    detail_->setText(is_past ? QStringLiteral("%1 (%2)").arg(words(text->detail), last_known(sight))
+    const bool is_past = !view.is_heard() && view.status;
+    detail_->setText(is_past ? QStringLiteral("%1 (%2)").arg(words(text->detail), last_known(view))
                              : words(text->detail));
     detail_->setToolTip(detail_->text());  // a very low window has no room for all of it
     QString steps;

@@ -4,8 +4,8 @@
 #include <QCoreApplication>
 #include <QFrame>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QBoxLayout;
 class QLabel;
@@ -23,7 +23,7 @@ class ActionButton;
 class AlarmBanner : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::AlarmBanner)
 public:
-    explicit AlarmBanner(Bench& bench, QWidget* parent = nullptr);
+    explicit AlarmBanner(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -46,7 +46,7 @@ private:
     void refresh_buttons();
     void refresh_height();
 
-    Bench& bench_;
+    WindowContext& context_;
     QLabel* icon_;
     QLabel* title_;
     QLabel* detail_;

@@ -14,8 +14,8 @@
 
 #include "hmi/session/action_lock.hpp"
 #include "hmi/session/going_on.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/window_context.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -43,15 +43,15 @@ struct AskedPiece {
     friend bool operator==(const AskedPiece&, const AskedPiece&) = default;
 };
 
-AskedPiece asked_piece(const Bench& bench) {
-    const session::MachineSight& sight = bench.machine.sight();
-    return {session::unfinished_piece(sight, bench.desk.sight()),
-            sight.status ? sight.status->job_generation : 0};
+AskedPiece asked_piece(const WindowContext& context) {
+    const session::MachineView& machine_view = context.machine.view();
+    return {session::unfinished_piece(machine_view, context.open_job.view()),
+            machine_view.status ? machine_view.status->job_generation : 0};
 }
 
-bool may_still_start(const Bench& bench, const AskedPiece& asked) {
-    return !bench.replay.is_open() && asked_piece(bench) == asked &&
-           !session::lock_of(session::Action::from_layer, bench.machine.sight(), bench.desk.sight());
+bool may_still_start(const WindowContext& context, const AskedPiece& asked) {
+    return !context.replay.is_open() && asked_piece(context) == asked &&
+           !session::lock_of(session::Action::from_layer, context.machine.view(), context.open_job.view());
 }
 
 QString anew_text(const session::UnfinishedPiece& piece, bool is_dry) {
@@ -70,27 +70,28 @@ QString anew_text(const session::UnfinishedPiece& piece, bool is_dry) {
 
 }  // namespace
 
-bool asked_of_this_piece(const Bench& bench, QMessageBox& box, const QPushButton* go) {
+bool asked_of_this_piece(const WindowContext& context, QMessageBox& box, const QPushButton* go) {
     constexpr std::chrono::milliseconds kLook{30};
-    const AskedPiece asked = asked_piece(bench);
+    const AskedPiece asked = asked_piece(context);
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &box, [&] {
-        if (!may_still_start(bench, asked)) box.reject();
+        if (!may_still_start(context, asked)) box.reject();
     });
     look.start(kLook);
     run_dialog(box);
-    return box.clickedButton() == go && may_still_start(bench, asked);
+    return box.clickedButton() == go && may_still_start(context, asked);
 }
 
-bool asked_to_begin_anew(const Bench& bench, session::RunKind kind, QWidget* window) {
-    const auto piece = session::unfinished_piece(bench.machine.sight(), bench.desk.sight());
+bool asked_to_begin_anew(const WindowContext& context, session::RunKind kind, QWidget* window) {
+    const auto piece = session::unfinished_piece(context.machine.view(), context.open_job.view());
     if (!piece) return true;
     const bool is_dry = kind == session::RunKind::dry;
     QMessageBox box{QMessageBox::Question, AnewWords::tr("Start anew"), anew_text(*piece, is_dry),
                     QMessageBox::NoButton, window};
     box.setObjectName("anew_question");
     // Of roughed layers there is nothing to be seen in it.
-    if (const auto job = bench.desk.core_job(); job && piece->carved_layers > job->view.finishing_layer())
+    if (const auto job = context.open_job.core_job();
+        job && piece->carved_layers > job->view.finishing_layer())
         box.setIconPixmap(picture_of(*job, piece->carved_layers));
     QPushButton* go = box.addButton(
         is_dry ? AnewWords::tr("Start dry run from layer 1") : AnewWords::tr("Start from layer 1"),
@@ -99,7 +100,7 @@ bool asked_to_begin_anew(const Bench& bench, session::RunKind kind, QWidget* win
     QPushButton* none = box.addButton(AnewWords::tr("Cancel"), QMessageBox::RejectRole);
     none->setObjectName("anew_cancel");
     box.setDefaultButton(none);
-    return asked_of_this_piece(bench, box, go);
+    return asked_of_this_piece(context, box, go);
 }
 
 }  // namespace psicarve::ui

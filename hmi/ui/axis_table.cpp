@@ -20,7 +20,7 @@ void say(QLabel* label, const QString& text) {
 
 }  // namespace
 
-AxisTable::AxisTable(Bench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+AxisTable::AxisTable(WindowContext& context, QWidget* parent) : QWidget(parent), context_(context) {
     setObjectName("axis_table");
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(kGap, 0, kGap, 0);
@@ -61,14 +61,15 @@ void AxisTable::set_theme(const Tokens& tokens) {
 }
 
 void AxisTable::refresh() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    if (sight.core_pid != core_pid_) rates_.forget();
-    core_pid_ = sight.core_pid;
-    if (sight.is_heard() && sight.status) rates_.note(*sight.status, session::RateMeter::Clock::now());
+    const session::MachineView& machine_view = context_.machine.view();
+    if (machine_view.core_pid != core_pid_) rates_.forget();
+    core_pid_ = machine_view.core_pid;
+    if (machine_view.is_heard() && machine_view.status)
+        rates_.note(*machine_view.status, session::RateMeter::Clock::now());
     if (!isVisible()) return;
-    const auto& shown = bench_.shown().status;
+    const auto& shown = context_.shown().status;
     for (const Axis axis : kAllAxes) {
-        const bool is_told = shown && !bench_.replay.is_open();
+        const bool is_told = shown && !context_.replay.is_open();
         say(rows_[index_of(axis)].pulses,
             is_told ? QString::fromStdString(session::count_text(
                           static_cast<std::int64_t>(shown->emitted_pulses[index_of(axis)])))
@@ -79,15 +80,17 @@ void AxisTable::refresh() {
 }
 
 QString AxisTable::feed_text() const {
-    const session::MachineSight& sight = bench_.machine.sight();
-    if (!sight.is_heard() || !sight.profile || !sight.status || bench_.replay.is_open()) return {};
-    const double feed_mm_s = session::surface_speed_mm_s(rates_, *sight.status, *sight.profile);
+    const session::MachineView& machine_view = context_.machine.view();
+    if (!machine_view.is_heard() || !machine_view.profile || !machine_view.status ||
+        context_.replay.is_open())
+        return {};
+    const double feed_mm_s = session::surface_speed_mm_s(rates_, *machine_view.status, *machine_view.profile);
     return tr("feed %1 mm/s").arg(QString::fromStdString(session::number_text(feed_mm_s, 1)));
 }
 
 void AxisTable::show_pulses_to_go() {
-    const auto& status = bench_.shown().status;
-    const auto job = bench_.replay.is_open() ? nullptr : bench_.job_at_work();
+    const auto& status = context_.shown().status;
+    const auto job = context_.replay.is_open() ? nullptr : context_.job_at_work();
     const bool is_told = status && job && !job->pulses_to_end.empty() &&
                          status->layer < job->view.layer_count() && status->point < job->view.point_count();
     if (!is_told) {
@@ -103,13 +106,13 @@ void AxisTable::show_pulses_to_go() {
 
 void AxisTable::show_speed(Axis axis) {
     constexpr double kPercent = 100.0;
-    const session::MachineSight& sight = bench_.machine.sight();
+    const session::MachineView& machine_view = context_.machine.view();
     const Row& row = rows_[index_of(axis)];
-    if (!sight.is_heard() || !sight.profile || bench_.replay.is_open()) {
+    if (!machine_view.is_heard() || !machine_view.profile || context_.replay.is_open()) {
         say(row.speed, kNone);
         return say(row.share, kNone);
     }
-    const AxisMotion motion = axis_motion(*sight.profile, axis);
+    const AxisMotion motion = axis_motion(*machine_view.profile, axis);
     const double speed = rates_.pulses_per_machine_s(axis) / motion.pulses_per_unit;
     const char* const unit = axis == Axis::psi ? "%1 °/s" : "%1 mm/s";
     say(row.speed, QString::fromUtf8(unit).arg(QString::fromStdString(session::number_text(speed, 1))));

@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "hmi/session/tick_health.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 
@@ -20,7 +20,7 @@ namespace psicarve::ui {
 class AxisTable : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::AxisTable)
 public:
-    explicit AxisTable(Bench& bench, QWidget* parent = nullptr);
+    explicit AxisTable(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -38,7 +38,7 @@ private:
     void show_speed(Axis axis);
     void show_pulses_to_go();
 
-    Bench& bench_;
+    WindowContext& context_;
     std::array<Row, kAxisCount> rows_{};
     session::RateMeter rates_;
     std::uint32_t core_pid_ = 0;

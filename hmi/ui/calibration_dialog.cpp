@@ -49,11 +49,11 @@ QPushButton* plain_button(const char* name, const QString& text) {
 
 }  // namespace
 
-CalibrationDialog::CalibrationDialog(Bench& bench, Page page, QWidget* parent)
+CalibrationDialog::CalibrationDialog(WindowContext& context, Page page, QWidget* parent)
     : QDialog(parent),
-      bench_(bench),
+      context_(context),
       page_(std::move(page)),
-      desk_(bench.saves),
+      desk_(context.saves),
       title_(role_label("title")),
       file_(role_label("label")),
       pages_(new QStackedWidget),
@@ -125,10 +125,10 @@ QWidget* CalibrationDialog::make_step(std::size_t index) {
                 .arg(head);
         step.diameter = add_field(*grid, tr("Diameter of the pin"), id + "diameter");
         step.counted = add_field(*grid, tr("Where %1 is shown to stand").arg(head), id + "counted");
-        const auto lock = [this, axis](const Bench& now) -> std::optional<session::Phrase> {
+        const auto lock = [this, axis](const WindowContext& now) -> std::optional<session::Phrase> {
             if (const auto busy = desk_.lock()) return busy;
             if (!on_file_) return session::phrase("Here: no profile is open");
-            return session::place_lock(now.machine.sight(), opened_.path(), *on_file_, axis);
+            return session::place_lock(now.machine.view(), opened_.path(), *on_file_, axis);
         };
         auto* here = new ActionButton{lock, tr("Here"),
                                       [this, axis, field = step.counted] { take_place(axis, *field); }};
@@ -175,9 +175,9 @@ QWidget* CalibrationDialog::make_overview() {
 QLayout* CalibrationDialog::make_buttons() {
     back_ = plain_button("calibrate_back", tr("Back"));
     next_ = plain_button("calibrate_next", tr("Next"));
-    const auto lock = [this](const Bench& now) {
+    const auto lock = [this](const WindowContext& now) {
         const auto reason = busy();
-        return reason ? reason : session::write_lock(outcome_, now.machine.sight());
+        return reason ? reason : session::write_lock(outcome_, now.machine.view());
     };
     write_ = new ActionButton{lock, tr("Write"), [this] { write(); }};
     write_->setObjectName("calibrate_write");
@@ -206,8 +206,9 @@ void CalibrationDialog::open_for(const std::string& path) {
     desk_.open(path, [this](const Result<void>& opened) {
         const auto on_file = opened ? desk_.draft().profile() : Result<Profile>{opened.error()};
         if (!on_file) {
-            return bench_.log.add(Severity::warning, session::joined(session::phrase("Calibrate"),
-                                                                     session::error_phrase(on_file.error())));
+            return context_.log.add(
+                Severity::warning,
+                session::joined(session::phrase("Calibrate"), session::error_phrase(on_file.error())));
         }
         on_file_ = *on_file;
         begin_with_what_was_read();
@@ -216,7 +217,7 @@ void CalibrationDialog::open_for(const std::string& path) {
 
 void CalibrationDialog::begin_with_what_was_read() {
     opened_ = desk_.draft();
-    bench_.machine.offer_profile(*on_file_);
+    context_.machine.offer_profile(*on_file_);
     for (Step& step : steps_) {
         for (QLineEdit* field : {step.diameter, step.counted, step.around, step.up, step.wear}) {
             if (field != nullptr) field->clear();
@@ -237,9 +238,9 @@ void CalibrationDialog::come_to_front() {
 }
 
 void CalibrationDialog::take_place(Axis head, QLineEdit& field) {
-    const session::MachineSight& sight = bench_.machine.sight();
+    const session::MachineView& view = context_.machine.view();
     const auto place =
-        profile::counted_place_mm(opened_.path(), *on_file_, sight.core_profile_hash, *sight.status, head);
+        profile::counted_place_mm(opened_.path(), *on_file_, view.core_profile_hash, *view.status, head);
     if (place) field.setText(QString::number(*place, 'f', kDigits));
 }
 
@@ -294,13 +295,13 @@ void CalibrationDialog::write() {
 
 void CalibrationDialog::tell_written(const Result<void>& saved) {
     if (!saved) {
-        bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
-                                                          session::error_phrase(saved.error())));
+        context_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
+                                                            session::error_phrase(saved.error())));
         return come_to_front();  // what was measured is not lost with a dialog that was shut meanwhile
     }
     const std::string path = desk_.draft().path();
-    bench_.log.add(Severity::info, session::phrase("Calibration written: %1; the old profile is %2", path,
-                                                   profile::ProfileDraft::backup_path(path)));
+    context_.log.add(Severity::info, session::phrase("Calibration written: %1; the old profile is %2", path,
+                                                     profile::ProfileDraft::backup_path(path)));
     close();
     page_.written();
 }
@@ -314,10 +315,10 @@ void CalibrationDialog::refresh() {
     lock_with(*back_, busy ? words(*busy) : index == 0 ? tr("Back: this is the first step") : QString{});
     next_->setVisible(!is_last);
     write_->setVisible(is_last);
-    const QString locked = write_->refresh(bench_);
+    const QString locked = write_->refresh(context_);
     QString reason = is_last ? locked : QString{};
     for (ActionButton* here : here_) {
-        const QString why = here->refresh(bench_);
+        const QString why = here->refresh(context_);
         if (here->isVisible() && reason.isEmpty()) reason = why;
     }
     if (reason_->text() != reason) reason_->setText(reason);

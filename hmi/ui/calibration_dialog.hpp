@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "hmi/session/calibration_form.hpp"
-#include "hmi/session/profile_desk.hpp"
+#include "hmi/session/profile_files.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QGridLayout;
 class QLabel;
@@ -33,7 +33,7 @@ public:
         std::function<std::optional<session::Phrase>()> lock;  ///< what it does with the file just now
         std::function<void()> written;                         ///< called once the file is another
     };
-    CalibrationDialog(Bench& bench, Page page, QWidget* parent = nullptr);
+    CalibrationDialog(WindowContext& context, Page page, QWidget* parent = nullptr);
 
     /// Begins anew with the profile in this file once that is read; a message when it cannot be.
     void open_for(const std::string& path);
@@ -69,9 +69,9 @@ private:
     void tell_written(const Result<void>& saved);
     std::optional<session::Phrase> busy() const;
 
-    Bench& bench_;
+    WindowContext& context_;
     Page page_;
-    session::ProfileDesk desk_;
+    session::ProfileFiles desk_;
     profile::ProfileDraft opened_;
     std::optional<Profile> on_file_;
     std::array<Step, kSteps> steps_{};

@@ -49,12 +49,12 @@ bool is_moving(MachineState state) {
 
 }  // namespace
 
-CarvingPage::CarvingPage(Bench& bench, Drawing drawing, QWidget* parent)
+CarvingPage::CarvingPage(WindowContext& context, Drawing drawing, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
-      watch_(bench.machine, bench.desk),
+      context_(context),
+      watch_(context.machine, context.open_job),
       view_(new MeshView{drawing}),
-      axes_(new AxisTable{bench}),
+      axes_(new AxisTable{context}),
       colourings_(new QButtonGroup{this}),
       done_(role_label("label")),
       blank_(role_label("label")),
@@ -131,7 +131,7 @@ session::CarvedScenePlan CarvingPage::plan() const {
 }
 
 void CarvingPage::show_scale() {
-    const auto job = bench_.job_at_work();
+    const auto job = context_.job_at_work();
     if (colouring_ == session::Colouring::done || !job || tokens_ == nullptr) return view_->set_legend({});
     const auto mm = [](double value, int decimals) {
         return QString::fromStdString(session::number_text(value, decimals));
@@ -167,9 +167,9 @@ void CarvingPage::refresh() {
     QAbstractButton* const deviation = colourings_->button(static_cast<int>(session::Colouring::deviation));
     lock_with(
         *deviation,
-        bench_.replay.is_open() ? tr("Deviation: not of a recording; psicarve verify tells it") : QString{},
+        context_.replay.is_open() ? tr("Deviation: not of a recording; psicarve verify tells it") : QString{},
         tr("Carved against wanted: blue too deep, brown material left"));
-    if (bench_.replay.is_open() && colouring_ == session::Colouring::deviation)
+    if (context_.replay.is_open() && colouring_ == session::Colouring::deviation)
         colourings_->button(static_cast<int>(session::Colouring::done))->click();
     if (!isVisible() || tokens_ == nullptr) return;
     draw();
@@ -177,11 +177,11 @@ void CarvingPage::refresh() {
 }
 
 session::CarvingRecord* CarvingPage::shown_record() const noexcept {
-    return bench_.replay.is_open() ? bench_.replay.carving() : watch_.record();
+    return context_.replay.is_open() ? context_.replay.carving() : watch_.record();
 }
 
 piece::PieceFront* CarvingPage::shown_piece() const noexcept {
-    if (bench_.replay.is_open()) return bench_.replay.tool_piece();
+    if (context_.replay.is_open()) return context_.replay.tool_piece();
     return watch_.piece() != nullptr ? &watch_.piece()->front() : nullptr;
 }
 
@@ -194,25 +194,25 @@ std::uint64_t CarvingPage::shown_edition() const noexcept {
 void CarvingPage::draw() {
     session::CarvingRecord* const record = shown_record();
     // A fresh blank is on its way: what stands there stays until then.
-    if (record == nullptr && watch_.has_job() && !bench_.replay.is_open()) return;
-    if (shown_replay_ != bench_.replay.edition() || drawn_record_ != record) scene_.reset();
-    shown_replay_ = bench_.replay.edition();
+    if (record == nullptr && watch_.has_job() && !context_.replay.is_open()) return;
+    if (shown_replay_ != context_.replay.edition() || drawn_record_ != record) scene_.reset();
+    shown_replay_ = context_.replay.edition();
     drawn_record_ = record;
     if (record == nullptr) {
         if (view_->picture().bodies.empty()) return;
         view_->set_heads({});
         return view_->show_scene(nullptr);
     }
-    const auto& status = bench_.shown().status;
+    const auto& status = context_.shown().status;
     verify::Positions positions{};
     if (status)
         std::copy(std::begin(status->position_pulses), std::end(status->position_pulses), positions.begin());
     note_known_heads();
-    auto alarm = session::alarm_heads(bench_.shown());
+    auto alarm = session::alarm_heads(context_.shown());
     const bool is_same =
         scene_ && drawn_edition_ == shown_edition() && drawn_positions_ == positions && drawn_alarm_ == alarm;
-    view_->set_moving(bench_.replay.is_open() ? bench_.replay.clock().is_playing()
-                                              : is_moving(bench_.machine.sight().state()));
+    view_->set_moving(context_.replay.is_open() ? context_.replay.clock().is_playing()
+                                                : is_moving(context_.machine.view().state()));
     if (is_same || (drawn_.isValid() && drawn_.elapsed() < kLeastPause_ms)) return;
     drawn_.start();
     drawn_edition_ = shown_edition();
@@ -243,7 +243,7 @@ void CarvingPage::make_scene(const session::CarvingRecord& record) {
 
 /// Whole mm around the job's radii.
 void CarvingPage::take_range() {
-    const auto job = bench_.job_at_work();
+    const auto job = context_.job_at_work();
     if (!job || job == ranged_job_) return;
     constexpr std::size_t kColumns = 360;
     constexpr std::size_t kRows = 240;
@@ -256,12 +256,12 @@ void CarvingPage::take_range() {
 /// Where a head stands is known once its axis is homed, and from a recording. An alarm makes it uncertain; it
 /// is shown where it was last counted.
 void CarvingPage::note_known_heads() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const MachineState state = sight.state();
+    const session::MachineView& machine_view = context_.machine.view();
+    const MachineState state = machine_view.state();
     const bool is_alarm = state == MachineState::alarm || state == MachineState::backing_off;
     for (std::size_t h = 0; h < verify::kHeadCount; ++h) {
-        const bool is_homed = sight.is_homed(verify::kHeads[h]) && sight.is_homed(Axis::y);
-        is_head_known_[h] = bench_.replay.is_open() || is_homed || (is_alarm && is_head_known_[h]);
+        const bool is_homed = machine_view.is_homed(verify::kHeads[h]) && machine_view.is_homed(Axis::y);
+        is_head_known_[h] = context_.replay.is_open() || is_homed || (is_alarm && is_head_known_[h]);
     }
 }
 
@@ -301,7 +301,7 @@ std::optional<MeshView::Head::Alarm> CarvingPage::alarm_at(std::size_t head,
     return MeshView::Head::Alarm{
         {middle_mm * std::cos(at.direction_rad), middle_mm * std::sin(at.direction_rad), at.height_mm},
         across_mm * kAlarmRing,
-        is_last ? words(session::state_text(bench_.shown(), 0).second) : QString{}};
+        is_last ? words(session::state_text(context_.shown(), 0).second) : QString{}};
 }
 
 QString CarvingPage::behind_text(const session::LivePiece& piece) {
@@ -313,24 +313,24 @@ QString CarvingPage::behind_text(const session::LivePiece& piece) {
 }
 
 void CarvingPage::say() {
-    feed_->setText(runs_job(bench_.shown().state()) ? axes_->feed_text() : QString{});
-    const auto& status = bench_.shown().status;
+    feed_->setText(runs_job(context_.shown().state()) ? axes_->feed_text() : QString{});
+    const auto& status = context_.shown().status;
     const session::CarvingRecord* const record = shown_record();
-    const auto job = bench_.job_at_work();
-    if (bench_.replay.carving_ratio() < 1.0) {
+    const auto job = context_.job_at_work();
+    if (context_.replay.carving_ratio() < 1.0) {
         for (QLabel* label : {blank_, behind_, point_}) label->clear();
         return done_->setText(
-            tr("Working the piece out: %1 %").arg(qRound(100.0 * bench_.replay.carving_ratio())));
+            tr("Working the piece out: %1 %").arg(qRound(100.0 * context_.replay.carving_ratio())));
     }
     if (record == nullptr || !job || !status || status->points_total == 0) {
         for (QLabel* label : {done_, blank_, behind_, point_}) label->clear();
         return;
     }
     const std::uint32_t layers = job->view.layer_count();
-    const session::LivePiece* const live = bench_.replay.is_open() ? nullptr : watch_.piece();
+    const session::LivePiece* const live = context_.replay.is_open() ? nullptr : watch_.piece();
     const std::uint32_t planned =
         std::max(record->planned_layers(), live != nullptr ? live->skipped_layers() : 0U);
-    const bool is_planned = bench_.replay.is_open() && !bench_.replay.facts().knows_every_pulse;
+    const bool is_planned = context_.replay.is_open() && !context_.replay.facts().knows_every_pulse;
     const QString carved = is_planned     ? tr("carved, as planned")
                            : planned == 0 ? tr("carved")
                                           : tr("carved (%1 layers not seen: as planned)").arg(planned);

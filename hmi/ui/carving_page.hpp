@@ -13,9 +13,9 @@
 
 #include "hmi/scene/carved_scene.hpp"
 #include "hmi/session/carving_watch.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QButtonGroup;
 class QLayout;
@@ -31,7 +31,7 @@ class AxisTable;
 class CarvingPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CarvingPage)
 public:
-    explicit CarvingPage(Bench& bench, Drawing drawing, QWidget* parent = nullptr);
+    explicit CarvingPage(WindowContext& context, Drawing drawing, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     /// The record is kept whether or not somebody looks at the page.
@@ -61,7 +61,7 @@ private:
     /// Of a picture that is not as far as the machine.
     static QString behind_text(const session::LivePiece& piece);
 
-    Bench& bench_;
+    WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     session::CarvingWatch watch_;
     std::uint64_t blank_edition_ = 0;  ///< of the watch, that scene_ may be of

@@ -23,17 +23,17 @@ QString told_with(const std::vector<session::Phrase>& differences, const QString
 
 }  // namespace
 
-CoreProfileBar::CoreProfileBar(Bench& bench, QWidget* parent)
+CoreProfileBar::CoreProfileBar(WindowContext& context, QWidget* parent)
     : NoticeBar("core_profile", Glyph::info, parent),
-      bench_(bench),
+      context_(context),
       details_(add_text("details")),
       take_(new QPushButton{tr("Use the core's profile")}) {
     take_->setObjectName("core_profile_take");
     take_->setFocusPolicy(Qt::TabFocus);
     take_->setToolTip(tr("This window goes by it from now on, also without a core; no file is changed"));
     connect(take_, &QPushButton::clicked, this, [this] {
-        if (!is_there() || !bench_.knows_core_profile()) return;
-        bench_.take_core_profile();
+        if (!is_there() || !context_.knows_core_profile()) return;
+        context_.take_core_profile();
         refresh();
     });
     add_button(take_);
@@ -46,18 +46,18 @@ void CoreProfileBar::set_room(Room room) {
 }
 
 bool CoreProfileBar::is_there() const {
-    const session::MachineSight& sight = bench_.machine.sight();
-    return sight.is_heard() && !sight.unused_profile.empty() &&
-           bench_.machine.options().profile.has_value() && !bench_.replay.is_open();
+    const session::MachineView& view = context_.machine.view();
+    return view.is_heard() && !view.unused_profile.empty() &&
+           context_.machine.options().profile.has_value() && !context_.replay.is_open();
 }
 
 void CoreProfileBar::refresh() {
     const bool is_shown = is_there();
     set_shown(is_shown);
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_known = bench_.knows_core_profile();
-    if (!is_shown || (shown_hash_ == sight.core_profile_hash && shown_known_ == is_known)) return;
-    shown_hash_ = sight.core_profile_hash;
+    const session::MachineView& view = context_.machine.view();
+    const bool is_known = context_.knows_core_profile();
+    if (!is_shown || (shown_hash_ == view.core_profile_hash && shown_known_ == is_known)) return;
+    shown_hash_ = view.core_profile_hash;
     shown_known_ = is_known;
     if (is_known)
         show_both();
@@ -70,15 +70,15 @@ void CoreProfileBar::refresh() {
 }
 
 void CoreProfileBar::show_both() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const Profile& given = *bench_.machine.options().profile;
-    const QString of_core = short_file_name(sight.profile->name);
-    const QString of_window = short_file_name(sight.unused_profile);
+    const session::MachineView& view = context_.machine.view();
+    const Profile& given = *context_.machine.options().profile;
+    const QString of_core = short_file_name(view.profile->name);
+    const QString of_window = short_file_name(view.unused_profile);
     title().setText(breakable(
         is_small_ ? tr("Core: profile %1, not %2").arg(of_core, of_window)
                   : tr("The core runs with profile %1, not with %2 of --profile").arg(of_core, of_window)));
     const auto told = [&](std::size_t most, const QString& between) {
-        return told_with(session::profile_differences(*sight.profile, given, most), between);
+        return told_with(session::profile_differences(*view.profile, given, most), between);
     };
     details_->setText(breakable(tr("Motion and slicing go by the core's. %1").arg(told(kShownKeys, "; "))));
     for (QLabel* label : {&title(), details_}) set_plain_tip(*label, told(kAllKeys, "\n"));
@@ -86,7 +86,7 @@ void CoreProfileBar::show_both() {
 
 /// Nobody knows what the core's is like.
 void CoreProfileBar::show_given() {
-    const QString of_window = short_file_name(bench_.machine.sight().unused_profile);
+    const QString of_window = short_file_name(context_.machine.view().unused_profile);
     title().setText(
         breakable(tr("The core runs with another profile than %1; its file was not found.").arg(of_window)));
     details_->clear();

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/notice_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QPushButton;
@@ -19,7 +19,7 @@ namespace psicarve::ui {
 class CoreProfileBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CoreProfileBar)
 public:
-    explicit CoreProfileBar(Bench& bench, QWidget* parent = nullptr);
+    explicit CoreProfileBar(WindowContext& context, QWidget* parent = nullptr);
 
     /// Where it is short the keys are in the tooltip only.
     void set_room(Room room);
@@ -30,7 +30,7 @@ private:
     void show_both();
     void show_given();
 
-    Bench& bench_;
+    WindowContext& context_;
     QLabel* details_;
     QPushButton* take_;
     std::uint64_t shown_hash_ = 0;

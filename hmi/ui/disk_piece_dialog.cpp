@@ -11,8 +11,8 @@
 
 #include "hmi/session/saved_piece.hpp"
 #include "hmi/ui/anew_dialog.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/dialogs.hpp"
+#include "hmi/ui/window_context.hpp"
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
@@ -24,10 +24,10 @@ struct DiskPieceWords {
 
 }  // namespace
 
-bool asked_to_go_on_from_disk(Bench& bench, std::uint32_t layer, QWidget* window) {
-    if (!session::is_from_disk_alone(bench.machine.sight(), layer)) return true;
+bool asked_to_go_on_from_disk(WindowContext& context, std::uint32_t layer, QWidget* window) {
+    if (!session::is_from_disk_alone(context.machine.view(), layer)) return true;
     QStringList said;
-    for (const session::Phrase& each : session::disk_question(bench.machine.sight())) said << words(each);
+    for (const session::Phrase& each : session::disk_question(context.machine.view())) said << words(each);
     QMessageBox box{QMessageBox::Question, DiskPieceWords::tr("Go on with an unfinished piece"),
                     said.join(QStringLiteral("\n\n")), QMessageBox::NoButton, window};
     box.setObjectName("disk_question");
@@ -40,13 +40,13 @@ bool asked_to_go_on_from_disk(Bench& bench, std::uint32_t layer, QWidget* window
     QPushButton* none = box.addButton(DiskPieceWords::tr("Cancel"), QMessageBox::RejectRole);
     none->setObjectName("disk_cancel");
     box.setDefaultButton(none);
-    const bool goes_on = asked_of_this_piece(bench, box, go);
-    if (box.clickedButton() == forget) forget_when_asked(bench, window);
+    const bool goes_on = asked_of_this_piece(context, box, go);
+    if (box.clickedButton() == forget) forget_when_asked(context, window);
     return goes_on;
 }
 
-void forget_when_asked(Bench& bench, QWidget* window) {
-    const auto asked = session::forgettable_piece(bench.machine.sight());
+void forget_when_asked(WindowContext& context, QWidget* window) {
+    const auto asked = session::forgettable_piece(context.machine.view());
     if (!asked) return;
     const QString title = words(asked->title);
     QMessageBox box{
@@ -63,7 +63,7 @@ void forget_when_asked(Bench& bench, QWidget* window) {
     none->setObjectName("forget_cancel");
     box.setDefaultButton(none);
     const auto is_still_it = [&] {
-        const auto now = session::forgettable_piece(bench.machine.sight());
+        const auto now = session::forgettable_piece(context.machine.view());
         return now && now->record == asked->record && words(now->title) == title;
     };
     constexpr std::chrono::milliseconds kLookAgain{30};
@@ -73,7 +73,7 @@ void forget_when_asked(Bench& bench, QWidget* window) {
     });
     look.start(kLookAgain);
     run_dialog(box);
-    if (box.clickedButton() == go && is_still_it()) bench.machine.forget_piece(asked->record);
+    if (box.clickedButton() == go && is_still_it()) context.machine.forget_piece(asked->record);
 }
 
 }  // namespace psicarve::ui

@@ -25,7 +25,7 @@ constexpr int kEntriesPageRowHeight = 24;
 /// The entries where they lie: twenty thousand of them cost nothing until they are looked at.
 class EntriesPage::Model : public QAbstractTableModel {
 public:
-    explicit Model(const Bench& bench) : bench_(bench) {}
+    explicit Model(const WindowContext& context) : context_(context) {}
 
     void begin_anew() {
         beginResetModel();
@@ -60,17 +60,17 @@ public:
     }
 
 private:
-    const std::vector<replay::Entry>& entries() const { return bench_.replay.facts().entries; }
+    const std::vector<replay::Entry>& entries() const { return context_.replay.facts().entries; }
 
-    const Bench& bench_;
+    const WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     int rows_ = 0;
 };
 
-EntriesPage::EntriesPage(Bench& bench, QWidget* parent)
+EntriesPage::EntriesPage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
-      model_(std::make_unique<Model>(bench)),
+      context_(context),
+      model_(std::make_unique<Model>(context)),
       table_(new QTableView),
       note_(role_label("small")) {
     setObjectName("entries_page");
@@ -88,8 +88,8 @@ EntriesPage::EntriesPage(Bench& bench, QWidget* parent)
     table_->setAccessibleName(tr("Entries of the recording"));
     connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
         const auto row = static_cast<std::size_t>(index.row());
-        const auto& entries = bench_.replay.facts().entries;
-        if (row < entries.size()) bench_.replay.clock().seek(entries[row].time_ns);
+        const auto& entries = context_.replay.facts().entries;
+        if (row < entries.size()) context_.replay.clock().seek(entries[row].time_ns);
     });
     auto* all = new QVBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
@@ -106,22 +106,22 @@ void EntriesPage::set_theme(const Tokens& tokens) {
 }
 
 void EntriesPage::refresh() {
-    if (shown_edition_ != bench_.replay.edition()) {
-        shown_edition_ = bench_.replay.edition();
+    if (shown_edition_ != context_.replay.edition()) {
+        shown_edition_ = context_.replay.edition();
         shown_row_ = -1;
         model_->begin_anew();
     }
-    if (!isVisible() || !bench_.replay.is_open()) return;
-    note_->setText(bench_.replay.facts().knows_states
+    if (!isVisible() || !context_.replay.is_open()) return;
+    note_->setText(context_.replay.facts().knows_states
                        ? tr("From the flight recorder. A click goes to an entry.")
                        : tr("Read off the pins: a trace has no flight recorder. A click goes to an entry."));
-    const int row = replay::entry_at(bench_.replay.facts().entries, bench_.replay.clock().now_ns());
+    const int row = replay::entry_at(context_.replay.facts().entries, context_.replay.clock().now_ns());
     if (row == shown_row_) return;
     shown_row_ = row;
     if (row < 0) return table_->clearSelection();
     // Of entries of one instant the one that was clicked stays selected.
     const QModelIndex chosen = table_->selectionModel()->currentIndex();
-    const auto& entries = bench_.replay.facts().entries;
+    const auto& entries = context_.replay.facts().entries;
     const bool is_same = chosen.isValid() && chosen.row() < static_cast<int>(entries.size()) &&
                          entries[static_cast<std::size_t>(chosen.row())].time_ns ==
                              entries[static_cast<std::size_t>(row)].time_ns;

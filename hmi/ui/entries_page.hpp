@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QTableView;
@@ -18,7 +18,7 @@ namespace psicarve::ui {
 class EntriesPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::EntriesPage)
 public:
-    explicit EntriesPage(Bench& bench, QWidget* parent = nullptr);
+    explicit EntriesPage(WindowContext& context, QWidget* parent = nullptr);
     ~EntriesPage() override;
 
     void set_theme(const Tokens& tokens);
@@ -27,7 +27,7 @@ public:
 private:
     class Model;
 
-    Bench& bench_;
+    WindowContext& context_;
     std::unique_ptr<Model> model_;
     std::uint64_t shown_edition_ = 0;
     int shown_row_ = -1;

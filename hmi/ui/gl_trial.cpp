@@ -15,11 +15,11 @@
 namespace psicarve::ui {
 namespace {
 
-using session::WorkLane;
+using session::BackgroundQueue;
 
-std::shared_future<bool> asked(WorkLane& lane, std::function<bool()> question) {
+std::shared_future<bool> asked(BackgroundQueue& queue, std::function<bool()> question) {
     const auto answer = std::make_shared<std::promise<bool>>();
-    lane.post([answer, question = std::move(question)]() -> WorkLane::Finish {
+    queue.post([answer, question = std::move(question)]() -> BackgroundQueue::Finish {
         answer->set_value(question());
         return {};
     });
@@ -50,18 +50,19 @@ bool keep_own_number(const std::string& path) {
 GlTrial::GlTrial(const std::string& folder) : path_(folder.empty() ? "" : folder + "/opengl-is-tried") {}
 
 GlTrial::~GlTrial() {
-    lane_.finish();
+    queue_.finish();
 }
 
 std::optional<bool> GlTrial::has_crashed_before(std::chrono::milliseconds limit) {
     if (path_.empty()) return false;
-    if (!crash_.valid()) crash_ = asked(lane_, [path = path_] { return names_a_program_that_is_gone(path); });
+    if (!crash_.valid())
+        crash_ = asked(queue_, [path = path_] { return names_a_program_that_is_gone(path); });
     return is_there(crash_, limit) ? std::optional{crash_.get()} : std::nullopt;
 }
 
 bool GlTrial::begin(std::chrono::milliseconds limit) {
     if (path_.empty()) return true;
-    const auto kept = asked(lane_, [path = path_] { return keep_own_number(path); });
+    const auto kept = asked(queue_, [path = path_] { return keep_own_number(path); });
     if (is_there(kept, limit) && kept.get()) return true;
     end();  // whenever it comes there
     return false;
@@ -69,7 +70,7 @@ bool GlTrial::begin(std::chrono::milliseconds limit) {
 
 void GlTrial::end() {
     if (path_.empty()) return;
-    lane_.post([path = path_]() -> WorkLane::Finish {
+    queue_.post([path = path_]() -> BackgroundQueue::Finish {
         std::error_code ignored;
         std::filesystem::remove(path, ignored);
         return {};

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 
 namespace psicarve::ui {
 
@@ -33,7 +33,7 @@ public:
 private:
     std::string path_;
     std::shared_future<bool> crash_;  ///< once it was asked for
-    session::WorkLane lane_;
+    session::BackgroundQueue queue_;
 };
 
 }  // namespace psicarve::ui

@@ -33,8 +33,8 @@ QString size_text(const cam::PreparedJob& job) {
 
 }  // namespace
 
-JobFactsView::JobFactsView(Bench& bench, QWidget* parent)
-    : QWidget(parent), bench_(bench), grid_(new QGridLayout{this}) {
+JobFactsView::JobFactsView(WindowContext& context, QWidget* parent)
+    : QWidget(parent), context_(context), grid_(new QGridLayout{this}) {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setVerticalSpacing(1);
     counts_ = add_row(tr("Layers × points"), "job_counts");
@@ -80,13 +80,13 @@ void JobFactsView::set_brief(bool is_brief) {
 }
 
 void JobFactsView::show_job(const replay::JobPointer& job) {
-    const bool is_replay = bench_.replay.is_open();
+    const bool is_replay = context_.replay.is_open();
     show_source(job);
     if (job) {
         return show_size(QString{"%1 × %2"}.arg(job->view.layer_count()).arg(job->view.point_count()),
                          size_text(*job));
     }
-    const bool has_mesh = !is_replay && bench_.desk.mesh() != nullptr;
+    const bool has_mesh = !is_replay && context_.open_job.mesh() != nullptr;
     show_size(has_mesh ? tr("not sliced") : is_replay ? tr("not recorded") : tr("open a model"), kNotKnown);
 }
 
@@ -99,10 +99,11 @@ void JobFactsView::show_size(const QString& counts, const QString& size) {
 void JobFactsView::show_source(const replay::JobPointer& job) {
     std::vector<session::FactRow> facts;
     if (job) {
-        const auto mesh = bench_.desk.mesh();
+        const auto mesh = context_.open_job.mesh();
         const bool is_of_mesh =
-            !bench_.replay.is_open() && mesh && mesh->source_name == job->view.source_name();
-        facts = session::fact_rows(session::job_facts(job->view), is_of_mesh ? bench_.desk.mesh_bytes() : 0);
+            !context_.replay.is_open() && mesh && mesh->source_name == job->view.source_name();
+        facts = session::fact_rows(session::job_facts(job->view),
+                                   is_of_mesh ? context_.open_job.mesh_bytes() : 0);
         facts.insert(facts.begin(), {session::phrase("Bound by"), session::bound_phrase(job->least)});
     }
     for (std::size_t i = 0; i < source_rows_.size(); ++i) {
@@ -112,14 +113,14 @@ void JobFactsView::show_source(const replay::JobPointer& job) {
 }
 
 void JobFactsView::show_times(const replay::JobPointer& job) {
-    const bool is_replay = bench_.replay.is_open();
-    const bool is_cores_job = is_replay || (job && job == bench_.desk.core_job());
+    const bool is_replay = context_.replay.is_open();
+    const bool is_cores_job = is_replay || (job && job == context_.open_job.core_job());
     const session::JobTimes times =
-        session::job_times(bench_.shown(), is_cores_job, job && !is_replay ? job->least.total() : 0.0,
-                           is_replay ? std::nullopt : bench_.estimate.planned(job));
-    const session::MachineSight& sight = bench_.shown();
-    const bool is_carved = is_cores_job && sight.status && runs_job(sight.state());
-    const auto layer = is_carved ? std::optional{sight.status->layer} : std::nullopt;
+        session::job_times(context_.shown(), is_cores_job, job && !is_replay ? job->least.total() : 0.0,
+                           is_replay ? std::nullopt : context_.estimate.planned(job));
+    const session::MachineView& machine_view = context_.shown();
+    const bool is_carved = is_cores_job && machine_view.status && runs_job(machine_view.state());
+    const auto layer = is_carved ? std::optional{machine_view.status->layer} : std::nullopt;
     const session::Phrase pass = job ? session::pass_phrase(job->view, layer) : session::Phrase{};
     pass_.value->setText(words(pass));
     for (QLabel* label : {pass_.name, pass_.value}) label->setVisible(!pass.is_empty());

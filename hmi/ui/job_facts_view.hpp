@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QGridLayout;
 class QLabel;
@@ -18,7 +18,7 @@ namespace psicarve::ui {
 class JobFactsView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JobFactsView)
 public:
-    explicit JobFactsView(Bench& bench, QWidget* parent = nullptr);
+    explicit JobFactsView(WindowContext& context, QWidget* parent = nullptr);
 
     void set_room(Room room);
     /// Counts and size in one line, and no T_ref.
@@ -36,7 +36,7 @@ private:
     void show_source(const replay::JobPointer& job);
     void show_size(const QString& counts, const QString& size);
 
-    Bench& bench_;
+    WindowContext& context_;
     QGridLayout* grid_;
     Row counts_;
     Row size_;

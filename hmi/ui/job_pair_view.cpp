@@ -25,26 +25,26 @@ void show_if(QWidget& widget, bool is_there) {
     if (widget.isHidden() == is_there) widget.setVisible(is_there);
 }
 
-std::optional<session::Phrase> take_over_lock(const Bench& bench) {
-    if (bench.desk.sight().is_busy()) return session::phrase("Take over: a job is being made");
+std::optional<session::Phrase> take_over_lock(const WindowContext& context) {
+    if (context.open_job.view().is_busy()) return session::phrase("Take over: a job is being made");
     return std::nullopt;
 }
 
 }  // namespace
 
-JobPairView::JobPairView(Bench& bench, QLabel& machine_head, QLabel& machine_note, QWidget* parent)
+JobPairView::JobPairView(WindowContext& context, QLabel& machine_head, QLabel& machine_note, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
+      context_(context),
       machine_head_(machine_head),
       machine_note_(machine_note),
       column_(new QVBoxLayout{this}),
       machine_name_(new ElidedLabel),
       take_over_(new ActionButton{take_over_lock, tr("Take over"),
-                                  [this] { bench_.desk.take_over(bench_.files.saved_job().get()); }}),
+                                  [this] { context_.open_job.take_over(context_.files.saved_job().get()); }}),
       desk_(new QWidget),
       desk_note_(role_label("small")),
       desk_name_(new ElidedLabel),
-      facts_(new JobFactsView{bench}) {
+      facts_(new JobFactsView{context}) {
     machine_name_->setObjectName("machine_job");
     machine_note_.setObjectName("machine_job_note");
     take_over_->setObjectName("take_over");
@@ -96,21 +96,22 @@ void JobPairView::set_density(bool is_close, bool is_brief) {
 }
 
 JobPlace JobPairView::place() const {
-    return bench_.replay.is_open() ? JobPlace::machine
-                                   : session::place_in_question(bench_.machine.sight(), bench_.desk.sight(),
-                                                                bench_.desk.core_job() != nullptr);
+    return context_.replay.is_open()
+               ? JobPlace::machine
+               : session::place_in_question(context_.machine.view(), context_.open_job.view(),
+                                            context_.open_job.core_job() != nullptr);
 }
 
 void JobPairView::refresh() {
     const JobPlace about = place();
-    const auto job = bench_.replay.is_open()   ? bench_.replay.facts().job
-                     : about == JobPlace::desk ? bench_.desk.job()
-                     : bench_.desk.core_job()  ? bench_.desk.core_job()
-                                               : bench_.desk.job();
+    const auto job = context_.replay.is_open()      ? context_.replay.facts().job
+                     : about == JobPlace::desk      ? context_.open_job.job()
+                     : context_.open_job.core_job() ? context_.open_job.core_job()
+                                                    : context_.open_job.job();
     put_facts(about);
     show_machine();
     show_desk();
-    const std::uint64_t edition = bench_.desk.edition() + bench_.replay.edition();
+    const std::uint64_t edition = context_.open_job.edition() + context_.replay.edition();
     if (shown_edition_ != edition || job_ != job) facts_->show_job(job);
     shown_edition_ = edition;
     job_ = job;
@@ -126,38 +127,38 @@ void JobPairView::put_facts(JobPlace place) {
 }
 
 void JobPairView::show_machine() {
-    const bool is_replay = bench_.replay.is_open();
+    const bool is_replay = context_.replay.is_open();
     machine_head_.setText(is_replay ? tr("Job") : tr("Job in the machine"));
     machine_note_.setText(is_replay ? tr("recorded")
-                                    : words(session::machine_job_note(bench_.machine.sight())));
-    const auto job = bench_.job_at_work();
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool has_one = sight.status && sight.status->job_generation != 0;
-    const bool is_unread = !is_replay && (has_one || sight.life == session::CoreLife::none);
+                                    : words(session::machine_job_note(context_.machine.view())));
+    const auto job = context_.job_at_work();
+    const session::MachineView& machine_view = context_.machine.view();
+    const bool has_one = machine_view.status && machine_view.status->job_generation != 0;
+    const bool is_unread = !is_replay && (has_one || machine_view.life == session::CoreLife::none);
     machine_name_->show_text(job ? name_of_job(*job) : is_unread ? QStringLiteral("–") : tr("No job"));
-    const bool is_other = !is_replay && job && job != bench_.desk.job();
+    const bool is_other = !is_replay && job && job != context_.open_job.job();
     show_if(*take_over_, is_other);
     if (!is_other) return;
     const QString name = name_on_desk();
     take_over_->set_hint(name.isEmpty() ? tr("Puts this job on the desk")
                                         : tr("Puts this job on the desk in place of %1").arg(name));
-    take_over_->refresh(bench_);
+    take_over_->refresh(context_);
 }
 
 void JobPairView::show_desk() {
-    const bool is_replay = bench_.replay.is_open();
+    const bool is_replay = context_.replay.is_open();
     show_if(*desk_, !is_replay);
     if (is_replay) return;
-    const session::JobSight& sight = bench_.desk.sight();
-    desk_note_->setText(words(session::desk_job_note(sight)));
+    const session::OpenJobView& machine_view = context_.open_job.view();
+    desk_note_->setText(words(session::desk_job_note(machine_view)));
     const QString name = name_on_desk();
     desk_name_->show_text(name);
-    show_if(*desk_name_, sight.state != session::DeskState::published && !name.isEmpty());
+    show_if(*desk_name_, machine_view.state != session::OpenJobState::published && !name.isEmpty());
 }
 
 QString JobPairView::name_on_desk() const {
-    if (const auto job = bench_.desk.job()) return name_of_job(*job);
-    const auto mesh = bench_.desk.mesh();
+    if (const auto job = context_.open_job.job()) return name_of_job(*job);
+    const auto mesh = context_.open_job.mesh();
     return mesh ? QString::fromStdString(mesh->source_name) : QString{};
 }
 

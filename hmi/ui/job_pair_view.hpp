@@ -6,8 +6,8 @@
 
 #include "hmi/session/job_places.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QHBoxLayout;
 class QLabel;
@@ -24,7 +24,8 @@ class JobPairView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JobPairView)
 public:
     /// `machine_head`, `machine_note`: above the machine's job; not this one's.
-    JobPairView(Bench& bench, QLabel& machine_head, QLabel& machine_note, QWidget* parent = nullptr);
+    JobPairView(WindowContext& context, QLabel& machine_head, QLabel& machine_note,
+                QWidget* parent = nullptr);
 
     /// Beside the machine's job, whose run it tells of.
     void add_button(QWidget* button);
@@ -43,7 +44,7 @@ private:
     session::JobPlace place() const;
     void put_facts(session::JobPlace place);
 
-    Bench& bench_;
+    WindowContext& context_;
     QLabel& machine_head_;
     QLabel& machine_note_;
     QVBoxLayout* column_;

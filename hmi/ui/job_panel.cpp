@@ -32,7 +32,7 @@ constexpr int kCloseGap = 2;
 
 }  // namespace
 
-JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), bench_(bench) {
+JobPanel::JobPanel(WindowContext& context, QWidget* parent) : Dock(tr("Job"), parent), context_(context) {
     make_jobs();
     body().addSpacing(kSmallGap);
     checks_ = new PreflightList;
@@ -43,8 +43,8 @@ JobPanel::JobPanel(Bench& bench, QWidget* parent) : Dock(tr("Job"), parent), ben
 }
 
 void JobPanel::make_jobs() {
-    jobs_ = new JobPairView{bench_, title(), note()};
-    report_ = new ActionButton{[](const Bench& now) -> std::optional<session::Phrase> {
+    jobs_ = new JobPairView{context_, title(), note()};
+    report_ = new ActionButton{[](const WindowContext& now) -> std::optional<session::Phrase> {
                                    if (!now.runs.run()) return session::phrase("Report: no job was started");
                                    if (!now.job_of_run())
                                        return session::phrase("Report: the job is not known");
@@ -58,7 +58,7 @@ void JobPanel::make_jobs() {
 }
 
 void JobPanel::make_buttons() {
-    const MotionButtons motion = make_motion_buttons(bench_);
+    const MotionButtons motion = make_motion_buttons(context_);
     start_ = motion.start;
     hold_ = motion.hold;
     resume_ = motion.resume;
@@ -70,7 +70,7 @@ void JobPanel::make_buttons() {
     dry_run_->setObjectName("dry_run");
     dry_run_->setFocusPolicy(Qt::TabFocus);
     connect(dry_run_, &QCheckBox::toggled, this, [this](bool is_dry) {
-        bench_.wanted_run = is_dry ? session::RunKind::dry : session::RunKind::carve;
+        context_.wanted_run = is_dry ? session::RunKind::dry : session::RunKind::carve;
         refresh_buttons();
     });
     auto* three = new QHBoxLayout;
@@ -110,9 +110,9 @@ void JobPanel::make_buttons() {
     body().addSpacing(kSmallGap);
     body().addLayout(from);
     body().addWidget(reason_);
-    refused_ = new OrderCard{bench_, session::OrderPlace::job, "job", OrderCard::Shape::high, this};
+    refused_ = new OrderCard{context_, session::OrderPlace::job, "job", OrderCard::Shape::high, this};
     // What was refused was another start.
-    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::job); };
+    const auto forget = [this] { context_.machine.forget_refused_order(session::OrderPlace::job); };
     connect(layer_, &QSpinBox::valueChanged, this, forget);
     connect(dry_run_, &QCheckBox::toggled, this, forget);
 }
@@ -133,7 +133,7 @@ void JobPanel::make_override() {
     override_->setObjectName("override");
     override_->setAccessibleName(tr("Feed override"));
     connect(override_, &QSlider::valueChanged, this,
-            [this](int value) { bench_.machine.set_override(static_cast<std::uint32_t>(value)); });
+            [this](int value) { context_.machine.set_override(static_cast<std::uint32_t>(value)); });
     full_ =
         new ActionButton{Action::override_feed, tr("100 %"), [this] { override_->setValue(kFullPercent); }};
     full_->setProperty("small", true);
@@ -152,19 +152,19 @@ void JobPanel::start_at_layer(std::uint32_t layers) {
     const auto layer = static_cast<std::uint32_t>(layer_->value());
     // Layer after layer there is nothing to ask: it is where the carving stopped.
     const bool is_next = layers > 0 && layer == shown_layer_ + 1;
-    const session::RunKind kind = bench_.wanted_run;  // whatever is chosen while it is asked
+    const session::RunKind kind = context_.wanted_run;  // whatever is chosen while it is asked
     // What only a disk knows is asked for by its own question, however the layer is started.
-    if (kind == session::RunKind::carve && session::is_from_disk_alone(bench_.machine.sight(), layer - 1)) {
-        if (asked_to_go_on_from_disk(bench_, layer - 1, window()))
-            bench_.machine.start(layer - 1, layers, kind);
+    if (kind == session::RunKind::carve && session::is_from_disk_alone(context_.machine.view(), layer - 1)) {
+        if (asked_to_go_on_from_disk(context_, layer - 1, window()))
+            context_.machine.start(layer - 1, layers, kind);
         return;
     }
-    if (is_next || may_start_from_layer(layer, kind)) bench_.machine.start(layer - 1, layers, kind);
+    if (is_next || may_start_from_layer(layer, kind)) context_.machine.start(layer - 1, layers, kind);
 }
 
 bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) {
-    if (layer == 1) return kind == session::RunKind::dry || asked_to_begin_anew(bench_, kind, window());
-    const bool is_resumed = bench_.machine.sight().resumable_layer == layer - 1;
+    if (layer == 1) return kind == session::RunKind::dry || asked_to_begin_anew(context_, kind, window());
+    const bool is_resumed = context_.machine.view().resumable_layer == layer - 1;
     const QString finished =
         is_resumed ? QStringLiteral("\n\n") + tr("Layer %1 was the last that was finished.").arg(layer - 1)
                    : QString{};
@@ -185,12 +185,12 @@ bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) 
     QPushButton* none = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
     none->setObjectName("from_layer_cancel");
     box.setDefaultButton(none);
-    return asked_of_this_piece(bench_, box, go);
+    return asked_of_this_piece(context_, box, go);
 }
 
 void JobPanel::show_report() {
-    auto* report = new ReportDialog{bench_.runs, bench_.job_of_run(),
-                                    bench_.pins.verdict_on(*bench_.runs.run()), bench_.files, window()};
+    auto* report = new ReportDialog{context_.runs, context_.job_of_run(),
+                                    context_.pins.verdict_on(*context_.runs.run()), context_.files, window()};
     report->show();
 }
 
@@ -208,7 +208,7 @@ void JobPanel::refresh() {
     if (tokens_ == nullptr) return;
     refresh_jobs();
     refresh_checks();
-    lock_with(*dry_run_, bench_.replay.is_open() ? words(*replay::lock()) : QString{},
+    lock_with(*dry_run_, context_.replay.is_open() ? words(*replay::lock()) : QString{},
               tr("Start, One layer and From layer carve nothing: table and Y go as they would, heads outside "
                  "the blank, spindle off"));
     refresh_buttons();
@@ -270,16 +270,16 @@ void JobPanel::arrange(Density density) {
 }
 
 void JobPanel::refresh_checks() {
-    if (bench_.replay.is_open()) return checks_->show_contents(bench_.replay.facts().contents);
-    checks_->show_checks(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()));
+    if (context_.replay.is_open()) return checks_->show_contents(context_.replay.facts().contents);
+    checks_->show_checks(session::preflight_checks(context_.machine.view(), context_.open_job.view()));
 }
 
 void JobPanel::refresh_buttons() {
-    show_what_starts(*start_, bench_);
+    show_what_starts(*start_, context_);
     for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_, report_})
-        button->refresh(bench_);
+        button->refresh(context_);
     lock_with(*layer_, from_layer_->reason());
-    const auto resumable = bench_.machine.sight().resumable_layer;
+    const auto resumable = context_.machine.view().resumable_layer;
     from_layer_->set_hint(
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)
                   : tr("Leaves out the layers before it"));
@@ -294,18 +294,18 @@ void JobPanel::refresh_buttons() {
 
 /// Where the operator would go on: of a core that is gone the checkpoint knows it, as the banner says.
 void JobPanel::refresh_layer() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const auto job = bench_.desk.core_job();
+    const session::MachineView& machine_view = context_.machine.view();
+    const auto job = context_.open_job.core_job();
     std::uint32_t next = 0;
-    if (!sight.is_heard()) {
-        if (!sight.resumable_layer) return;
-        next = *sight.resumable_layer;
+    if (!machine_view.is_heard()) {
+        if (!machine_view.resumable_layer) return;
+        next = *machine_view.resumable_layer;
     } else {
-        if (!sight.status || !job) return;
-        const bool is_other = bench_.desk.job() && bench_.desk.job() != job;
+        if (!machine_view.status || !job) return;
+        const bool is_other = context_.open_job.job() && context_.open_job.job() != job;
         if (!is_other)
-            next =
-                session::layer_to_go_on_with(*sight.status, sight.resumable_layer, job->view.layer_count());
+            next = session::layer_to_go_on_with(*machine_view.status, machine_view.resumable_layer,
+                                                job->view.layer_count());
     }
     // Before the job is known the box has no room for it.
     if (next == shown_layer_ || static_cast<int>(next) >= layer_->maximum()) return;
@@ -314,13 +314,13 @@ void JobPanel::refresh_layer() {
 }
 
 void JobPanel::refresh_override() {
-    lock_with(*override_, full_->refresh(bench_), tr("By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0"));
-    const auto& status = bench_.shown().status;
+    lock_with(*override_, full_->refresh(context_), tr("By mouse, or with Ctrl+−, Ctrl++ and Ctrl+0"));
+    const auto& status = context_.shown().status;
     if (!status || status->override_percent == 0) return;
     const int percent = static_cast<int>(status->override_percent);
     percent_->setText(tr("%1 %").arg(percent));
     // The slider follows the machine unless a hand is on it, or its wish is still on the way.
-    if (!override_->isSliderDown() && !bench_.machine.is_override_under_way() &&
+    if (!override_->isSliderDown() && !context_.machine.is_override_under_way() &&
         override_->value() != percent) {
         const QSignalBlocker quiet{override_};
         override_->setValue(percent);

@@ -4,9 +4,9 @@
 #include <QCoreApplication>
 
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QCheckBox;
 class QSlider;
@@ -22,7 +22,7 @@ class PreflightList;
 class JobPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JobPanel)
 public:
-    explicit JobPanel(Bench& bench, QWidget* parent = nullptr);
+    explicit JobPanel(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -53,7 +53,7 @@ private:
     void show_report();
     bool may_start_from_layer(std::uint32_t layer, session::RunKind kind);
 
-    Bench& bench_;
+    WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     std::uint32_t shown_layer_ = 0;
     int fitted_height_ = 0;

@@ -28,8 +28,8 @@ constexpr int kFullHeight = 356;  // with two lines of a hint, in the longest la
 
 }  // namespace
 
-JogPanel::JogPanel(Bench& bench, QWidget* parent)
-    : Dock(tr("Jog"), parent), bench_(bench), hint_(role_label("label")) {
+JogPanel::JogPanel(WindowContext& context, QWidget* parent)
+    : Dock(tr("Jog"), parent), context_(context), hint_(role_label("label")) {
     body().addWidget(step_row("mm", {0.01, 0.1, 1, 10}, linear_steps_, 1));
     body().addWidget(step_row("°", {0.1, 1, 10, 90}, angular_steps_, 1));
     auto* pad = new QGridLayout;
@@ -66,14 +66,14 @@ JogPanel::JogPanel(Bench& bench, QWidget* parent)
     hint_->setWordWrap(true);
     hint_->setObjectName("jog_hint");
     body().addWidget(hint_);
-    refused_ = new OrderCard{bench_, session::OrderPlace::jog, "jog", OrderCard::Shape::high, this};
+    refused_ = new OrderCard{context_, session::OrderPlace::jog, "jog", OrderCard::Shape::high, this};
     follow_fields();
     body().addStretch();
     hold_timer_.setSingleShot(true);
     hold_timer_.setInterval(kClickLimit);
     connect(&hold_timer_, &QTimer::timeout, this, [this] {
         is_held_ = true;
-        bench_.machine.jog().hold(pressed_axis_, pressed_up_, speed_of(pressed_axis_));
+        context_.machine.jog().hold(pressed_axis_, pressed_up_, speed_of(pressed_axis_));
     });
 }
 
@@ -81,7 +81,7 @@ JogPanel::~JogPanel() = default;
 
 /// What was refused was another step, or at another speed.
 void JogPanel::follow_fields() {
-    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::jog); };
+    const auto forget = [this] { context_.machine.forget_refused_order(session::OrderPlace::jog); };
     for (QButtonGroup* steps : {linear_steps_, angular_steps_})
         connect(steps, &QButtonGroup::idToggled, this, forget);
     for (QSlider* speed : {linear_speed_, angular_speed_})
@@ -176,10 +176,11 @@ void JogPanel::release() {
     if (hold_timer_.isActive()) {
         hold_timer_.stop();
         const double distance = step_of(pressed_axis_);
-        bench_.machine.jog().step(pressed_axis_, pressed_up_ ? distance : -distance, speed_of(pressed_axis_));
+        context_.machine.jog().step(pressed_axis_, pressed_up_ ? distance : -distance,
+                                    speed_of(pressed_axis_));
         return;
     }
-    if (is_held_) bench_.machine.jog().release();
+    if (is_held_) context_.machine.jog().release();
     is_held_ = false;
 }
 
@@ -187,7 +188,7 @@ void JogPanel::let_go() {
     disarm();
     hold_timer_.stop();
     is_held_ = false;
-    bench_.machine.jog().release();
+    context_.machine.jog().release();
     for (const Key& key : keys_) key.button->setDown(false);
 }
 
@@ -214,15 +215,15 @@ void JogPanel::resizeEvent(QResizeEvent* event) {
 
 void JogPanel::refresh() {
     QString reason;
-    for (const Key& key : keys_) reason = key.button->refresh(bench_);
+    for (const Key& key : keys_) reason = key.button->refresh(context_);
     const bool is_armed = keyboard_.is_armed();
     if (!reason.isEmpty() && (is_held_ || hold_timer_.isActive() || is_armed)) let_go();
     if (keyboard_.is_over(session::KeyboardJog::Clock::now())) disarm();
-    arm_->refresh(bench_);
-    go_to_->refresh(bench_);
-    const bool is_on = bench_.machine.sight().is_active(Signal::spindle);
+    arm_->refresh(context_);
+    go_to_->refresh(context_);
+    const bool is_on = context_.machine.view().is_active(Signal::spindle);
     spindle_->setText(is_on ? tr("Stop spindle") : tr("Start spindle"));
-    spindle_->refresh(bench_);
+    spindle_->refresh(context_);
     move_->refresh();
     hint_->setText(!reason.isEmpty()      ? reason
                    : keyboard_.is_armed() ? tr("Keys move the machine; F9 ends it.")

@@ -10,8 +10,8 @@
 
 #include "hmi/session/keyboard_jog.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QButtonGroup;
 class QGridLayout;
@@ -28,7 +28,7 @@ class OrderCard;
 class JogPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JogPanel)
 public:
-    explicit JogPanel(Bench& bench, QWidget* parent = nullptr);
+    explicit JogPanel(WindowContext& context, QWidget* parent = nullptr);
     ~JogPanel() override;
 
     void set_theme(const Tokens& tokens);
@@ -72,7 +72,7 @@ private:
     double speed_of(machine::JogAxis axis) const;
     double step_of(machine::JogAxis axis) const;
 
-    Bench& bench_;
+    WindowContext& context_;
     std::vector<Key> keys_;
     QButtonGroup* linear_steps_ = nullptr;
     QButtonGroup* angular_steps_ = nullptr;

@@ -62,12 +62,13 @@ void JogPanel::make_arm_button() {
 }
 
 void JogPanel::make_more_buttons() {
-    move_ = new MoveDialog{bench_, this};
+    move_ = new MoveDialog{context_, this};
     go_to_ = new ActionButton{session::Action::jog, tr("Go to…"), [this] { go_to(); }};
     go_to_->setObjectName("go_to");
     go_to_->set_hint(tr("To a position: one axis or several, straight or on an arc"));
-    spindle_ = new ActionButton{[](const Bench& now) { return session::spindle_lock(now.machine.sight()); },
-                                tr("Start spindle"), [this] { turn_spindle(); }};
+    spindle_ =
+        new ActionButton{[](const WindowContext& now) { return session::spindle_lock(now.machine.view()); },
+                         tr("Start spindle"), [this] { turn_spindle(); }};
     spindle_->setObjectName("spindle");
     spindle_->set_hint(tr("By hand; a job does it by itself, and Stop switches it off"));
     auto* buttons = new QWidget;
@@ -93,8 +94,8 @@ void JogPanel::go_to() {
 void JogPanel::turn_spindle() {
     Command command{};
     command.kind = CommandKind::spindle;
-    command.value = bench_.machine.sight().is_active(Signal::spindle) ? 0.0 : 1.0;
-    bench_.machine.order(command, session::phrase("Spindle"));
+    command.value = context_.machine.view().is_active(Signal::spindle) ? 0.0 : 1.0;
+    context_.machine.order(command, session::phrase("Spindle"));
 }
 
 void JogPanel::arm() {
@@ -128,11 +129,11 @@ void JogPanel::follow(const KeyboardJog::Order& order) {
     const auto [axis, up] = order.way;
     switch (order.kind) {
         case Kind::step:
-            return bench_.machine.jog().step(axis, up ? step_of(axis) : -step_of(axis), speed_of(axis));
+            return context_.machine.jog().step(axis, up ? step_of(axis) : -step_of(axis), speed_of(axis));
         case Kind::hold:
-            return bench_.machine.jog().hold(axis, up, speed_of(axis));
+            return context_.machine.jog().hold(axis, up, speed_of(axis));
         case Kind::release:
-            return bench_.machine.jog().release();
+            return context_.machine.jog().release();
         case Kind::none:
             return;
     }

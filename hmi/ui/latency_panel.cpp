@@ -50,10 +50,10 @@ QPushButton* small_button(const char* name, const QString& text) {
 
 }  // namespace
 
-LatencyPanel::LatencyPanel(Bench& bench, QWidget* parent)
+LatencyPanel::LatencyPanel(WindowContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
-      desk_(bench.log),
+      context_(context),
+      desk_(context.log),
       cpu_(new ChoiceBox),
       progress_(new QProgressBar),
       said_(role_label("label")),
@@ -83,7 +83,7 @@ QLayout* LatencyPanel::make_wish() {
     seconds_->setValue(kUsualSeconds);
     seconds_->setAccessibleName(tr("How long to measure"));
     period_ = spin("latency_period", kLeastPeriod_us, kMostPeriod_us, tr("µs"));
-    period_->setValue(static_cast<int>(machine::LatencyWish{}.period_us));
+    period_->setValue(static_cast<int>(machine::LatencyOptions{}.period_us));
     period_->setAccessibleName(tr("Tick to measure with"));
     cpu_->setObjectName("latency_cpu");
     cpu_->setAccessibleName(tr("Processor of the tick"));
@@ -91,11 +91,11 @@ QLayout* LatencyPanel::make_wish() {
     cpu_->addItem(tr("any processor"), QStringLiteral("any"));
     for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
         cpu_->addItem(tr("processor %1").arg(i), QString::number(i));
-    begin_ = new ActionButton{[this](const Bench& now) -> std::optional<session::Phrase> {
+    begin_ = new ActionButton{[this](const WindowContext& now) -> std::optional<session::Phrase> {
                                   if (desk_.is_measuring()) return session::phrase("Measure: under way");
-                                  return session::latency_lock(now.machine.sight());
+                                  return session::latency_lock(now.machine.view());
                               },
-                              tr("Measure"), [this] { desk_.begin(wish()); }};
+                              tr("Measure"), [this] { desk_.begin(options()); }};
     begin_->setObjectName("latency_begin");
     begin_->set_hint(tr("Runs the core's own tick loop with nothing in the tick; touches no machine"));
     end_ = small_button("latency_end", tr("End now"));
@@ -116,12 +116,12 @@ QLayout* LatencyPanel::make_wish() {
     return row;
 }
 
-machine::LatencyWish LatencyPanel::wish() const {
-    machine::LatencyWish wish;
-    wish.seconds = static_cast<std::uint32_t>(seconds_->value());
-    wish.period_us = static_cast<std::uint32_t>(period_->value());
-    wish.cpu = cpu_->currentData().toString().toStdString();
-    return wish;
+machine::LatencyOptions LatencyPanel::options() const {
+    machine::LatencyOptions options;
+    options.seconds = static_cast<std::uint32_t>(seconds_->value());
+    options.period_us = static_cast<std::uint32_t>(period_->value());
+    options.cpu = cpu_->currentData().toString().toStdString();
+    return options;
 }
 
 void LatencyPanel::set_theme(const Tokens& tokens) {
@@ -130,7 +130,7 @@ void LatencyPanel::set_theme(const Tokens& tokens) {
 
 void LatencyPanel::save(const QString& path) {
     if (!desk_.last()) return;
-    bench_.files.save_text(path.toStdString(), report::latency_csv(desk_.last()->result));
+    context_.files.save_text(path.toStdString(), report::latency_csv(desk_.last()->result));
 }
 
 void LatencyPanel::show_result() {
@@ -156,7 +156,7 @@ void LatencyPanel::refresh() {
     desk_.poll();
     const bool is_measuring = desk_.is_measuring();
     if (was_measuring && !is_measuring && desk_.last()) show_result();
-    const QString locked = begin_->refresh(bench_);
+    const QString locked = begin_->refresh(context_);
     lock_with(*end_, is_measuring ? QString{} : tr("End now: nothing is being measured"),
               tr("What was measured so far is the result"));
     lock_with(*save_, desk_.last() ? QString{} : tr("Save CSV: nothing was measured yet"));
@@ -167,11 +167,11 @@ void LatencyPanel::refresh() {
     QString text = locked;
     if (is_measuring) {
         const machine::LatencyProgress now = desk_.progress();
-        progress_->setRange(0, static_cast<int>(desk_.wish().seconds));
+        progress_->setRange(0, static_cast<int>(desk_.options().seconds));
         progress_->setValue(static_cast<int>(now.seconds));
         text = tr("%1 of %2 s, %3 missed, at most %4 late")
                    .arg(now.seconds)
-                   .arg(desk_.wish().seconds)
+                   .arg(desk_.options().seconds)
                    .arg(now.missed)
                    .arg(QString::fromStdString(session::duration_text(now.max_ns)));
     } else if (text.isEmpty()) {

@@ -4,10 +4,10 @@
 #include <QCoreApplication>
 #include <QWidget>
 
-#include "hmi/session/latency_desk.hpp"
+#include "hmi/session/latency_trial.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QComboBox;
 class QGridLayout;
@@ -24,7 +24,7 @@ class HistogramView;
 class LatencyPanel : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::LatencyPanel)
 public:
-    explicit LatencyPanel(Bench& bench, QWidget* parent = nullptr);
+    explicit LatencyPanel(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -33,11 +33,11 @@ public:
 
 private:
     QLayout* make_wish();
-    machine::LatencyWish wish() const;
+    machine::LatencyOptions options() const;
     void show_result();
 
-    Bench& bench_;
-    session::LatencyDesk desk_;
+    WindowContext& context_;
+    session::LatencyTrial desk_;
     QSpinBox* seconds_;
     QSpinBox* period_;
     QComboBox* cpu_;

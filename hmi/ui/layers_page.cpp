@@ -47,9 +47,9 @@ QVBoxLayout* column(QWidget* head, QWidget* body) {
 
 }  // namespace
 
-LayersPage::LayersPage(Bench& bench, QWidget* parent)
+LayersPage::LayersPage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
+      context_(context),
       polar_(new PolarView),
       unrolled_(new UnrolledView),
       plot_(new RadiusPlot),
@@ -170,12 +170,12 @@ void LayersPage::set_theme(const Tokens& tokens) {
 void LayersPage::refresh() {
     // Others pay for what nobody looks at.
     if (!isVisible()) return;
-    if (bench_.shown_job() != job_) take_job();
+    if (context_.shown_job() != job_) take_job();
     if (!job_) return;
     follow_machine();
     if (const auto planned = planned_seconds()) whole_s_ = planned;
     const bool is_new =
-        is_planned_ != bench_.estimate.planned(job_).has_value() || shown_whole_s_ != whole_s_;
+        is_planned_ != context_.estimate.planned(job_).has_value() || shown_whole_s_ != whole_s_;
     if (shown_ && is_new) show_times(shown_->layer);
 }
 
@@ -186,7 +186,7 @@ void LayersPage::choose_number() {
 }
 
 void LayersPage::take_job() {
-    job_ = bench_.shown_job();
+    job_ = context_.shown_job();
     whole_s_.reset();
     setEnabled(job_ != nullptr);
     // The job before says nothing of what is open now.
@@ -253,14 +253,14 @@ void LayersPage::show_layer(std::uint32_t layer) {
 /// Of the whole job, where it is the core's: it has no layer's.
 std::optional<double> LayersPage::planned_seconds() const {
     const bool is_cores =
-        !bench_.replay.is_open() && bench_.desk.sight().state == session::DeskState::published;
-    return is_cores ? session::planned_seconds(bench_.machine.sight()) : std::nullopt;
+        !context_.replay.is_open() && context_.open_job.view().state == session::OpenJobState::published;
+    return is_cores ? session::planned_seconds(context_.machine.view()) : std::nullopt;
 }
 
 /// As planned; until that is known for each layer, the core's whole in the shares of the least times, and
 /// else what the speeds allow at least.
 void LayersPage::show_times(std::uint32_t layer) {
-    const auto planned = bench_.estimate.planned(job_);
+    const auto planned = context_.estimate.planned(job_);
     is_planned_ = planned.has_value();
     shown_whole_s_ = whole_s_;
     std::vector<double> seconds = planned ? planned->layer_seconds : job_->least.layer_seconds;
@@ -307,17 +307,17 @@ void LayersPage::show_point(std::uint32_t point) {
 }
 
 void LayersPage::follow_machine() {
-    const session::MachineSight& sight = bench_.shown();
-    const bool is_at_job = bench_.is_shown_at_job();
+    const session::MachineView& machine_view = context_.shown();
+    const bool is_at_job = context_.is_shown_at_job();
     lock_with(*follow_, is_at_job ? QString{} : tr("Follow the machine: it does not carve this job"),
               tr("Layer and point are those of the machine, until others are chosen"));
     std::optional<session::TablePlace> machine;
-    if (is_at_job) machine = {sight.status->layer, sight.status->point};
+    if (is_at_job) machine = {machine_view.status->layer, machine_view.status->point};
     cursor_.note_machine(machine);
     if (!slider_->isSliderDown() && !point_slider_->isSliderDown()) show_place();
     if (!is_at_job) return polar_->show_heads({});
     const std::int64_t per_rev = job_->profile.psi.pulses_per_rev;
-    const std::int64_t psi_pulses = sight.status->position_pulses[index_of(Axis::psi)] % per_rev;
+    const std::int64_t psi_pulses = machine_view.status->position_pulses[index_of(Axis::psi)] % per_rev;
     polar_->show_heads(deg_from_pulses(psi_pulses, per_rev));
 }
 

@@ -9,8 +9,8 @@
 
 #include "hmi/scene/radius_map.hpp"
 #include "hmi/session/layer_cursor.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QGridLayout;
 class QLabel;
@@ -31,7 +31,7 @@ class UnrolledView;
 class LayersPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::LayersPage)
 public:
-    explicit LayersPage(Bench& bench, QWidget* parent = nullptr);
+    explicit LayersPage(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -51,7 +51,7 @@ private:
     void show_point(std::uint32_t point);
     void follow_machine();
 
-    Bench& bench_;
+    WindowContext& context_;
     std::shared_ptr<const cam::PreparedJob> job_;
     session::LayerCursor cursor_;
     std::optional<session::TablePlace> shown_;

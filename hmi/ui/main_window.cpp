@@ -75,22 +75,22 @@ private:
 
 MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
                        std::unique_ptr<SettingsStore> settings)
-    : bench_(options, std::move(settings)),
+    : context_(options, std::move(settings)),
       drawing_(drawing),
-      settings_(*bench_.settings),
+      settings_(*context_.settings),
       menu_(new QMenu{this}) {
-    if (!bench_.settings->await_read(kSettingsLimit)) first_touch_ = std::make_unique<FirstTouch>(*this);
-    bench_.settings->set_on_read([this] { take_settings(); });
+    if (!context_.settings->await_read(kSettingsLimit)) first_touch_ = std::make_unique<FirstTouch>(*this);
+    context_.settings->set_on_read([this] { take_settings(); });
     setWindowTitle("Psicarve");
     setAcceptDrops(true);
     make_menu();
-    strip_ = new Strip{bench_, menu_};
-    position_ = new PositionPanel{bench_};
-    jog_ = new JogPanel{bench_};
-    job_ = new JobPanel{bench_};
+    strip_ = new Strip{context_, menu_};
+    position_ = new PositionPanel{context_};
+    jog_ = new JogPanel{context_};
+    job_ = new JobPanel{context_};
     jog_->set_on_armed(
         [this](bool is_armed) { set_styled(position_, "jog_armed", is_armed ? "yes" : "no"); });
-    sides_ = std::make_unique<SidePanels>(bench_, position_, jog_, job_);
+    sides_ = std::make_unique<SidePanels>(context_, position_, jog_, job_);
     auto* middle = new QHBoxLayout;
     middle->setContentsMargins(kGap, kGap, kGap, kGap);
     middle->setSpacing(kGap);
@@ -132,22 +132,22 @@ QWidget* MainWindow::make_centre() {
     auto* column = new QVBoxLayout{centre};
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGap);
-    banner_ = new AlarmBanner{bench_};
+    banner_ = new AlarmBanner{context_};
     column->addWidget(banner_);
-    refusal_ = new RefusalBar{bench_};
+    refusal_ = new RefusalBar{context_};
     column->addWidget(refusal_);
-    unfinished_ = new UnfinishedBar{bench_};
+    unfinished_ = new UnfinishedBar{context_};
     column->addWidget(unfinished_);
-    core_profile_ = new CoreProfileBar{bench_};
+    core_profile_ = new CoreProfileBar{context_};
     column->addWidget(core_profile_);
     auto* frame = new QFrame;
     frame->setProperty("dock", true);
     auto* inside = new QVBoxLayout{frame};
     inside->setContentsMargins(1, 1, 1, 1);
-    pages_ = new PageTabs{bench_, drawing_, [this](const QString& path) { open(path); }};
+    pages_ = new PageTabs{context_, drawing_, [this](const QString& path) { open(path); }};
     inside->addWidget(pages_);
     column->addWidget(frame, 1);
-    replay_ = new ReplayBar{bench_, [this] { choose_job_of_trace(); }, [this] { verify_replay(); }};
+    replay_ = new ReplayBar{context_, [this] { choose_job_of_trace(); }, [this] { verify_replay(); }};
     column->addWidget(replay_);
     return centre;
 }
@@ -175,7 +175,7 @@ void MainWindow::show_theme() {
 }
 
 void MainWindow::refresh() {
-    bench_.poll();
+    context_.poll();
     arrival_.poll();
     refresh_replay();
     strip_->refresh();
@@ -194,17 +194,17 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::open(const QString& path) {
-    bench_.forget_refused_file();
-    if (bench_.desk.sight().is_busy()) {
-        return bench_.desk.refuse(path.toStdString(),
-                                  session::phrase("Open: a job is being made; cancel it first"));
+    context_.forget_refused_file();
+    if (context_.open_job.view().is_busy()) {
+        return context_.open_job.refuse(path.toStdString(),
+                                        session::phrase("Open: a job is being made; cancel it first"));
     }
     if (arrival_.is_awaited()) {
-        return bench_.desk.refuse(path.toStdString(),
-                                  session::phrase("Open: the machine's profile is still being read"));
+        return context_.open_job.refuse(path.toStdString(),
+                                        session::phrase("Open: the machine's profile is still being read"));
     }
     settings_.add_recent_file(path);
-    bench_.desk.open(path.toStdString());
+    context_.open_job.open(path.toStdString());
 }
 
 void MainWindow::emergency_stop() {
@@ -213,17 +213,17 @@ void MainWindow::emergency_stop() {
 }
 
 bool MainWindow::may_stop() const {
-    return !session::lock_of(session::Action::stop, bench_.machine.sight(), bench_.desk.sight());
+    return !session::lock_of(session::Action::stop, context_.machine.view(), context_.open_job.view());
 }
 
 void MainWindow::stop() {
     let_go();
-    bench_.machine.stop();
-    bench_.log.add_command(session::Severity::info, session::phrase("Stop asked for"));
+    context_.machine.stop();
+    context_.log.add_command(session::Severity::info, session::phrase("Stop asked for"));
 }
 
 std::function<void()> MainWindow::escape_act() {
-    switch (session::escape_order(bench_.machine.sight(), bench_.machine.has_orders())) {
+    switch (session::escape_order(context_.machine.view(), context_.machine.has_orders())) {
         case session::EscapeOrder::none:
             return {};
         case session::EscapeOrder::stop:
@@ -232,9 +232,9 @@ std::function<void()> MainWindow::escape_act() {
             break;
     }
     return [this] {
-        bench_.machine.order(CommandKind::hold, session::phrase("Hold"));
-        bench_.log.add_command(session::Severity::info,
-                               session::phrase("Hold asked for by Esc: Resume or the Pause key goes on"));
+        context_.machine.order(CommandKind::hold, session::phrase("Hold"));
+        context_.log.add_command(session::Severity::info,
+                                 session::phrase("Hold asked for by Esc: Resume or the Pause key goes on"));
     };
 }
 
@@ -278,9 +278,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 /// At rest with a job under way is not at rest for somebody who walks away.
 bool MainWindow::is_under_way() const {
-    const session::MachineSight& sight = bench_.machine.sight();
-    return sight.is_heard() &&
-           (!is_at_rest(sight.state()) || sight.state() == S::held || sight.state() == S::waiting);
+    const session::MachineView& view = context_.machine.view();
+    return view.is_heard() &&
+           (!is_at_rest(view.state()) || view.state() == S::held || view.state() == S::waiting);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -301,7 +301,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         close_once_held();
         return event->ignore();
     }
-    if (choice == CloseChoice::stop) bench_.machine.stop();
+    if (choice == CloseChoice::stop) context_.machine.stop();
     leave();
     event->accept();
 }

@@ -12,10 +12,10 @@
 
 #include "hmi/session/profile_arrival.hpp"
 #include "hmi/session/status_line.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/settings.hpp"
 #include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QMenu;
@@ -53,7 +53,7 @@ public:
                         std::unique_ptr<SettingsStore> settings = nullptr);
     ~MainWindow() override;
 
-    Bench& bench() noexcept { return bench_; }
+    WindowContext& context() noexcept { return context_; }
     void open(const QString& path);
     /// What the command line names, either may be empty: the machine's profile, then what is to be opened. At
     /// once, and with neither on the page that was open the last time.
@@ -132,7 +132,7 @@ private:
     bool is_under_way() const;
     CloseChoice ask_what_to_do();
 
-    Bench bench_;
+    WindowContext context_;
     Drawing drawing_;
     WindowSettings settings_;
     Theme theme_ = Theme::light;  ///< that is shown

@@ -138,9 +138,9 @@ void MainWindow::make_job_keys() {
     pause->setShortcut(Qt::Key_Pause);
     pause->setShortcutContext(Qt::ApplicationShortcut);  // from dialogs, too
     connect(pause, &QAction::triggered, this, [this] {
-        const bool is_held = bench_.machine.sight().state() == MachineState::held;
+        const bool is_held = context_.machine.view().state() == MachineState::held;
         const CommandKind kind = is_held ? CommandKind::resume : CommandKind::hold;
-        bench_.machine.order(kind, is_held ? session::phrase("Resume") : session::phrase("Hold"));
+        context_.machine.order(kind, is_held ? session::phrase("Resume") : session::phrase("Hold"));
     });
     addAction(pause);
     struct Feed {
@@ -218,8 +218,8 @@ void MainWindow::make_language_menu() {
                 [this, action, choice] { action->setChecked(choice == settings_.language()); });
         connect(action, &QAction::triggered, this, [this, choice] {
             settings_.set_language(choice);
-            bench_.log.add(session::Severity::info,
-                           session::phrase("The language changes when the window is opened the next time"));
+            context_.log.add(session::Severity::info,
+                             session::phrase("The language changes when the window is opened the next time"));
         });
     };
     add("system", tr("As the desktop"), std::nullopt);
@@ -234,17 +234,17 @@ void MainWindow::choose_file() {
 }
 
 void MainWindow::look_for_recent() {
-    bench_.presence.look_above(settings_.last_folder().toStdString());
+    context_.presence.look_above(settings_.last_folder().toStdString());
     std::vector<std::string> files;
     for (const QString& path : settings_.recent_files()) files.push_back(path.toStdString());
-    bench_.presence.look(std::move(files));
+    context_.presence.look(std::move(files));
 }
 
 void MainWindow::fill_recent() {
     recent_->clear();
     const QStringList files = settings_.recent_files();
     for (const QString& path : files) {
-        if (bench_.presence.seen(path.toStdString()).state == session::FilePresence::State::gone) continue;
+        if (context_.presence.seen(path.toStdString()).state == session::FilePresence::State::gone) continue;
         QAction* action = recent_->addAction(QFileInfo{path}.fileName());
         action->setObjectName("recent_file");
         action->setToolTip(path);
@@ -271,16 +271,16 @@ CloseChoice MainWindow::ask_what_to_do() {
     box.setDefaultButton(leave);
     // What it asks about may end while it is asked: by a stop, by the last layer.
     const auto keep_true = [this, &box, hold] {
-        hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
+        hold->setEnabled(context_.machine.view().state() == MachineState::carving);
         if (is_under_way()) return;
-        bench_.log.add(session::Severity::info,
-                       session::phrase("The machine is at work no more: the window can be closed"));
+        context_.log.add(session::Severity::info,
+                         session::phrase("The machine is at work no more: the window can be closed"));
         box.reject();
     };
     QTimer look;
     connect(&look, &QTimer::timeout, &box, keep_true);
     look.start(kLookPause);
-    hold->setEnabled(bench_.machine.sight().state() == MachineState::carving);
+    hold->setEnabled(context_.machine.view().state() == MachineState::carving);
     run_dialog(box);
     if (box.clickedButton() == leave) return CloseChoice::leave_running;
     if (box.clickedButton() == hold) return CloseChoice::hold;

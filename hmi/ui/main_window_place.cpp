@@ -37,7 +37,7 @@ void MainWindow::show_kept_place() {
 }
 
 void MainWindow::go_to_last_page() {
-    wants_last_page_ = !bench_.settings->is_read();
+    wants_last_page_ = !context_.settings->is_read();
     const QString page = settings_.page();
     const auto found = std::find_if(kPageNames.begin(), kPageNames.end(),
                                     [&page](const char* name) { return page == QLatin1StringView{name}; });
@@ -61,7 +61,7 @@ void MainWindow::keep_place() {
 
 void MainWindow::write_place() {
     if (option_keeper_) option_keeper_->write();
-    if (!bench_.settings->is_read()) return;  // nobody has chosen this place
+    if (!context_.settings->is_read()) return;  // nobody has chosen this place
     settings_.set_geometry(saveGeometry());
     const auto page = static_cast<std::size_t>(pages_->currentIndex());
     if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
@@ -70,28 +70,28 @@ void MainWindow::write_place() {
 
 void MainWindow::leave() {
     let_go();
-    bench_.desk.cancel();
+    context_.open_job.cancel();
     write_place();
     pages_->model().forget_work();
     place_keeper_.reset();
     // Nobody looks any more: what is to be kept is handed on now.
-    bench_.pins.end();
-    bench_.keeper.poll(bench_.log);
-    bench_.settings->poll();
+    context_.pins.end();
+    context_.keeper.poll(context_.log);
+    context_.settings->poll();
     timer_.stop();
 }
 
 /// The core may take its time, or hang: the window goes on meanwhile, and stays when it was not heard.
 void MainWindow::close_once_held() {
-    bench_.log.add(session::Severity::info,
-                   session::phrase("Hold asked for: the window closes once the core has taken it"));
-    bench_.machine.order_and_tell(CommandKind::hold, [this](bool was_taken) {
+    context_.log.add(session::Severity::info,
+                     session::phrase("Hold asked for: the window closes once the core has taken it"));
+    context_.machine.order_and_tell(CommandKind::hold, [this](bool was_taken) {
         // What has come to rest meanwhile needs no hold.
-        closes_held_ = was_taken || (bench_.machine.sight().is_heard() && !is_under_way());
+        closes_held_ = was_taken || (context_.machine.view().is_heard() && !is_under_way());
         if (closes_held_) return QTimer::singleShot(0, this, [this] { close(); });
-        bench_.log.add(session::Severity::warning,
-                       session::phrase("The window stays open: the core has not taken the hold"),
-                       session::phrase("Use the switch on the machine to stop it"));
+        context_.log.add(session::Severity::warning,
+                         session::phrase("The window stays open: the core has not taken the hold"),
+                         session::phrase("Use the switch on the machine to stop it"));
     });
 }
 

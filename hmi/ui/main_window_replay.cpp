@@ -15,7 +15,7 @@
 namespace psicarve::ui {
 
 void MainWindow::make_replay_keys() {
-    replay::ReplayDesk& desk = bench_.replay;
+    replay::ReplaySession& replay = context_.replay;
     struct Act {
         const char* name;
         QKeySequence key;
@@ -23,12 +23,12 @@ void MainWindow::make_replay_keys() {
     };
     const Act keys[] = {
         {"replay_play_key", Qt::Key_K, [this] { replay_->play_or_pause(); }},
-        {"replay_slower_key", Qt::Key_J, [&desk] { desk.clock().slower(); }},
-        {"replay_faster_key", Qt::Key_L, [&desk] { desk.clock().faster(); }},
+        {"replay_slower_key", Qt::Key_J, [&replay] { replay.clock().slower(); }},
+        {"replay_faster_key", Qt::Key_L, [&replay] { replay.clock().faster(); }},
         {"replay_next_key", Qt::Key_N, [this] { replay_->go_to_next_entry(); }},
         {"replay_before_key", Qt::SHIFT | Qt::Key_N, [this] { replay_->go_to_entry_before(); }},
-        {"layer_before_key", Qt::Key_Comma, [&desk] { desk.step_layer(-1); }},
-        {"next_layer_key", Qt::Key_Period, [&desk] { desk.step_layer(1); }}};
+        {"layer_before_key", Qt::Key_Comma, [&replay] { replay.step_layer(-1); }},
+        {"next_layer_key", Qt::Key_Period, [&replay] { replay.step_layer(1); }}};
     for (const auto& [name, key, act] : keys) {
         auto* action = new QAction{this};
         action->setObjectName(name);
@@ -41,22 +41,22 @@ void MainWindow::make_replay_keys() {
     QAction* leave = file_menu_->addAction(tr("Leave replay"));
     leave->setObjectName("leave_replay");
     leave->setEnabled(false);
-    connect(leave, &QAction::triggered, this, [&desk] { desk.leave(); });
+    connect(leave, &QAction::triggered, this, [&replay] { replay.leave(); });
     replay_actions_.push_back(leave);
 }
 
 void MainWindow::choose_job_of_trace() {
     const QString path = ask_for_file(this, tr("Job or snapshot of this trace"), last_folder(),
                                       tr("Jobs and snapshots (*.job *.psi *.snap);;All files (*)"));
-    if (!path.isEmpty()) bench_.replay.add_job(path.toStdString());
+    if (!path.isEmpty()) context_.replay.add_job(path.toStdString());
 }
 
 void MainWindow::refresh_replay() {
     replay_->refresh();
     pages_->refresh_entries();
-    if (shown_replay_ == bench_.replay.edition()) return;
-    shown_replay_ = bench_.replay.edition();
-    const bool is_open = bench_.replay.is_open();
+    if (shown_replay_ == context_.replay.edition()) return;
+    shown_replay_ = context_.replay.edition();
+    const bool is_open = context_.replay.is_open();
     // Whatever a hand holds is let go: from here on it would be on something that is not the machine.
     let_go();
     for (QAction* action : replay_actions_) action->setEnabled(is_open);
@@ -67,8 +67,8 @@ void MainWindow::refresh_replay() {
 
 /// "figurine.stl – Psicarve"
 void MainWindow::refresh_title() {
-    const bool is_replay = bench_.replay.is_open();
-    const std::string path = is_replay ? bench_.replay.facts().path : bench_.desk.path();
+    const bool is_replay = context_.replay.is_open();
+    const std::string path = is_replay ? context_.replay.facts().path : context_.open_job.path();
     const QString name = QFileInfo{QString::fromStdString(path)}.fileName();
     const QString shown = is_replay ? tr("REPLAY: %1").arg(name) : name;
     const QString title = shown.isEmpty() ? QStringLiteral("Psicarve") : shown + " \u2013 Psicarve";

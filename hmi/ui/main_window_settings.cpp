@@ -35,13 +35,13 @@ void MainWindow::begin_with(const QString& profile, const QString& path) {
 /// A table becomes a job by the machine's profile: without the one that was asked for nothing is opened.
 void MainWindow::take_profile(const Result<Profile>& read, const QString& profile, const QString& path) {
     if (!read) {
-        bench_.desk.refuse(profile.toStdString(), session::error_phrase(read.error()));
+        context_.open_job.refuse(profile.toStdString(), session::error_phrase(read.error()));
         if (path.isEmpty()) return;
-        return bench_.log.add(
+        return context_.log.add(
             session::Severity::warning,
             session::phrase("Not opened, as the machine's profile was not: %1", path.toStdString()));
     }
-    bench_.machine.set_profile(*read);
+    context_.machine.set_profile(*read);
     pages_->profile().open(profile);
     if (!path.isEmpty()) open(path);
 }
@@ -49,8 +49,8 @@ void MainWindow::take_profile(const Result<Profile>& read, const QString& profil
 /// Of the file that was opened last, or the nearest above it that is there: nobody waits for its disk.
 QString MainWindow::last_folder() {
     const QString wanted = settings_.last_folder();
-    bench_.presence.look_above(wanted.toStdString());  // for the next time
-    const std::string there = bench_.presence.nearest_folder(wanted.toStdString());
+    context_.presence.look_above(wanted.toStdString());  // for the next time
+    const std::string there = context_.presence.nearest_folder(wanted.toStdString());
     return there.empty() ? QDir::homePath() : QString::fromStdString(there);
 }
 

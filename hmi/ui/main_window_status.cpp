@@ -26,7 +26,7 @@ void MainWindow::make_status_bar() {
     row->addWidget(role_label("label", "mm · °"));
     row->addWidget(profile_label_);
     row->addWidget(role_label(
-        "label", tr("segment %1").arg(QString::fromStdString(bench_.machine.options().segment_name))));
+        "label", tr("segment %1").arg(QString::fromStdString(context_.machine.options().segment_name))));
     language_label_ = role_label("label", tr("English"));  // each catalogue has its own name there
     language_label_->setObjectName("language");
     row->addWidget(language_label_);
@@ -34,7 +34,7 @@ void MainWindow::make_status_bar() {
 
 void MainWindow::refresh_status_bar() {
     refresh_profile_label();
-    if (!status_line_.look(bench_.log, session::StatusLine::Clock::now())) return elide_message();
+    if (!status_line_.look(context_.log, session::StatusLine::Clock::now())) return elide_message();
     const session::Message& last = *status_line_.shown();
     const QString text = QStringLiteral("%1 %2").arg(local_time(last.time, "HH:mm:ss"), words(last.what));
     message_text_ = text;
@@ -51,11 +51,11 @@ void MainWindow::elide_message() {
 }
 
 void MainWindow::refresh_profile_label() {
-    const session::MachineSight& sight = bench_.shown();
-    const QString name = sight.is_profile_of_job ? tr("profile as the job's")
-                         : sight.profile ? tr("profile %1").arg(QString::fromStdString(sight.profile->name))
-                                         : tr("profile unknown");
-    const QString unused = QString::fromStdString(sight.unused_profile);
+    const session::MachineView& view = context_.shown();
+    const QString name = view.is_profile_of_job ? tr("profile as the job's")
+                         : view.profile ? tr("profile %1").arg(QString::fromStdString(view.profile->name))
+                                        : tr("profile unknown");
+    const QString unused = QString::fromStdString(view.unused_profile);
     const QString both = tr("%1, not %2 of --profile").arg(name, unused);
     // Where that would take more than a third of the row the bar above the pages says it, as long as it is
     // there.

@@ -31,7 +31,7 @@ void MainWindow::make_keeping_actions() {
     save_job_->setObjectName("save_job");
     connect(save_job_, &QAction::triggered, this, [this] {
         save_as(tr("Save the job"), "job.psi", tr("Jobs (*.job *.psi)"), [this](const std::string& path) {
-            if (bench_.desk.job()) bench_.files.save_job(path, bench_.desk.job());
+            if (context_.open_job.job()) context_.files.save_job(path, context_.open_job.job());
         });
     });
     save_tables_ = file_menu_->addAction(tr("Save its tables…"));
@@ -39,7 +39,7 @@ void MainWindow::make_keeping_actions() {
     connect(save_tables_, &QAction::triggered, this, [this] {
         save_as(tr("Save the tables"), "job.csv", tr("Tables (*.csv *.json)"),
                 [this](const std::string& path) {
-                    if (bench_.desk.job()) bench_.files.save_tables(path, bench_.desk.job());
+                    if (context_.open_job.job()) context_.files.save_tables(path, context_.open_job.job());
                 });
     });
     QAction* snapshot = file_menu_->addAction(tr("Save a snapshot…"));
@@ -47,7 +47,7 @@ void MainWindow::make_keeping_actions() {
     snapshot->setToolTip(tr("Job, state and flight recorder of the machine, to be looked at later"));
     connect(snapshot, &QAction::triggered, this, [this] {
         save_as(tr("Save a snapshot"), "run.snap", tr("Snapshots (*.snap)"),
-                [this](const std::string& path) { bench_.files.save_snapshot(path); });
+                [this](const std::string& path) { context_.files.save_snapshot(path); });
     });
 }
 
@@ -67,10 +67,11 @@ void MainWindow::make_tools_menu() {
     verify_ = tools_menu_->addAction(QString{});
     verify_->setObjectName("verify_action");
     connect(verify_, &QAction::triggered, this, [this] {
-        if (bench_.judge.is_judging()) return bench_.judge.cancel();
+        if (context_.judge.is_judging()) return context_.judge.cancel();
         choose_trace_to_verify();
     });
-    new CompareTool{bench_.log, [this] { return last_folder(); }, *tools_menu_, this};  // the window owns it
+    new CompareTool{context_.log, [this] { return last_folder(); }, *tools_menu_,
+                    this};  // the window owns it
     QAction* calibrate = tools_menu_->addAction(tr("Calibrate the heads…"));
     calibrate->setObjectName("calibrate_action");
     connect(calibrate, &QAction::triggered, this, [this] {
@@ -89,24 +90,24 @@ void MainWindow::make_tools_menu() {
 void MainWindow::choose_trace_to_verify() {
     const QString path =
         ask_for_file(this, tr("Trace to verify"), last_folder(), tr("Traces (*.trace *.vcd);;All files (*)"));
-    if (!path.isEmpty()) bench_.judge.judge(path.toStdString(), bench_.shown_job());
+    if (!path.isEmpty()) context_.judge.judge(path.toStdString(), context_.shown_job());
 }
 
 void MainWindow::verify_replay() {
-    if (bench_.judge.is_judging()) return bench_.judge.cancel();
-    bench_.judge.judge(bench_.replay.facts().path, bench_.replay.facts().job);
+    if (context_.judge.is_judging()) return context_.judge.cancel();
+    context_.judge.judge(context_.replay.facts().path, context_.replay.facts().job);
 }
 
 void MainWindow::refresh_tools() {
-    const bool has_job = bench_.desk.job() != nullptr;
+    const bool has_job = context_.open_job.job() != nullptr;
     save_job_->setEnabled(has_job);
     save_tables_->setEnabled(has_job);
-    const bool is_judging = bench_.judge.is_judging();
+    const bool is_judging = context_.judge.is_judging();
     const QString text = is_judging ? tr("Cancel verification") : tr("Verify a trace…");
     if (verify_->text() != text) verify_->setText(text);
-    const auto done = bench_.judge.take();
+    const auto done = context_.judge.take();
     if (!done) return;
-    auto* verdict = new VerdictDialog{done, bench_.files, this};
+    auto* verdict = new VerdictDialog{done, context_.files, this};
     verdict->show();
 }
 

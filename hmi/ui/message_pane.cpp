@@ -17,26 +17,26 @@ namespace psicarve::ui {
 namespace {
 
 /// One at a time for each machine, of this window's user: the next takes its place.
-std::string recorder_file(const Bench& bench) {
-    std::string machine = bench.machine.options().segment_name;
+std::string recorder_file(const WindowContext& context) {
+    std::string machine = context.machine.options().segment_name;
     std::ranges::replace(machine, '/', '_');
-    return bench.keeper.folder() + "/alarm-" + machine + ".psi";
+    return context.keeper.folder() + "/alarm-" + machine + ".psi";
 }
 
 /// A recording takes Hold and Stop away: not from a machine that moves, or may go on by itself.
-bool is_under_way(const session::MachineSight& machine) {
+bool is_under_way(const session::MachineView& machine) {
     return machine.is_heard() && (!is_at_rest(machine.state()) || runs_job(machine.state()));
 }
 
-std::optional<session::Phrase> recorder_lock(const Bench& bench,
+std::optional<session::Phrase> recorder_lock(const WindowContext& context,
                                              const std::optional<session::AlarmPlace>& place) {
     if (!place) return session::phrase("Only an alarm has a place in the flight recorder");
-    if (place->core_pid != bench.machine.sight().core_pid)
+    if (place->core_pid != context.machine.view().core_pid)
         return session::phrase("Its core is gone, and its flight recorder with it");
-    if (is_under_way(bench.machine.sight()))
+    if (is_under_way(context.machine.view()))
         return session::phrase("The machine is under way; at rest, without a job that waits or is held");
-    if (bench.replay.is_opening()) return session::phrase("A recording is being opened");
-    if (bench.keeper.folder().empty()) return session::phrase("This user has no folder to keep it in");
+    if (context.replay.is_opening()) return session::phrase("A recording is being opened");
+    if (context.keeper.folder().empty()) return session::phrase("This user has no folder to keep it in");
     return std::nullopt;
 }
 
@@ -56,15 +56,15 @@ void show_or_hide(QLabel& label, const QString& text) {
 
 }  // namespace
 
-MessagePane::MessagePane(Bench& bench, QWidget* parent)
+MessagePane::MessagePane(WindowContext& context, QWidget* parent)
     : QFrame(parent),
-      bench_(bench),
+      context_(context),
       note_(role_label("label")),
       title_(role_label("title")),
       when_(role_label("label")),
       cause_(plain_label()),
       steps_(plain_label()),
-      recorder_(new ActionButton{[this](const Bench& /*bench*/) { return lock(); },
+      recorder_(new ActionButton{[this](const WindowContext& /*context*/) { return lock(); },
                                  tr("Show in the flight recorder"), [this] { show_recorder(); }}) {
     setObjectName("message_pane");
     setProperty("dock", true);
@@ -132,21 +132,21 @@ void MessagePane::show_message(const session::Message* message, const QString& k
 
 std::optional<session::Phrase> MessagePane::lock() const {
     if (is_saving_) return session::phrase("The flight recorder is being saved");
-    return recorder_lock(bench_, place_);
+    return recorder_lock(context_, place_);
 }
 
 void MessagePane::refresh() {
     const QString text = is_saving_ ? tr("Saving…") : tr("Show in the flight recorder");
     if (recorder_->text() != text) recorder_->setText(text);
-    recorder_->refresh(bench_);
+    recorder_->refresh(context_);
 }
 
 void MessagePane::show_recorder() {
     if (lock()) return;
-    const std::string path = recorder_file(bench_);
+    const std::string path = recorder_file(context_);
     is_saving_ = true;
     note_->hide();
-    bench_.files.take_recorder(
+    context_.files.take_recorder(
         path, [this, path, tick = place_->tick] { open_recorder(path, tick); },
         [this](const session::Phrase& why) {
             is_saving_ = false;
@@ -158,10 +158,10 @@ void MessagePane::show_recorder() {
 /// Meanwhile somebody may have started something.
 void MessagePane::open_recorder(const std::string& path, std::uint64_t tick) {
     is_saving_ = false;
-    if (!is_under_way(bench_.machine.sight()))
-        return bench_.replay.open_at(path, bench_.machine_profile(), tick);
+    if (!is_under_way(context_.machine.view()))
+        return context_.replay.open_at(path, context_.machine_profile(), tick);
     const auto told = session::phrase("Saved as %1; open it once the machine is at rest", path);
-    bench_.log.add(session::Severity::info, told);
+    context_.log.add(session::Severity::info, told);
     show_or_hide(*note_, words(told));
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "hmi/session/message_log.hpp"
-#include "hmi/ui/bench.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 
@@ -23,7 +23,7 @@ class ActionButton;
 class MessagePane : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagePane)
 public:
-    explicit MessagePane(Bench& bench, QWidget* parent = nullptr);
+    explicit MessagePane(WindowContext& context, QWidget* parent = nullptr);
 
     /// Null: none is selected.
     void show_message(const session::Message* message, const QString& kind);
@@ -35,7 +35,7 @@ private:
     void open_recorder(const std::string& path, std::uint64_t tick);
     std::optional<session::Phrase> lock() const;
 
-    Bench& bench_;
+    WindowContext& context_;
     bool is_saving_ = false;
     std::optional<session::AlarmPlace> place_;
     QLabel* note_;  ///< what became of the flight recorder that was asked for

@@ -69,13 +69,13 @@ QString short_time(const session::Message& message) {
 
 }  // namespace
 
-MessagesPage::MessagesPage(Bench& bench, QWidget* parent)
+MessagesPage::MessagesPage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
+      context_(context),
       kinds_(new ChoiceBox),
       find_(new QLineEdit),
       table_(new QTableWidget{0, kColumns}),
-      pane_(new MessagePane{bench}) {
+      pane_(new MessagePane{context}) {
     setObjectName("messages_page");
     kinds_->addItems({tr("All"), tr("Alarms"), tr("Warnings"), tr("Commands"), tr("Information")});
     kinds_->setObjectName("messages_kind");
@@ -139,7 +139,7 @@ QWidget* MessagesPage::make_sound() {
     sound->setToolTip(
         tr("The desktop's bell, once at each new alarm; not for recordings, nor for what was "
            "there before the window"));
-    connect(sound, &QCheckBox::toggled, this, [this](bool is_on) { bench_.bell.set_on(is_on); });
+    connect(sound, &QCheckBox::toggled, this, [this](bool is_on) { context_.bell.set_on(is_on); });
     return sound;
 }
 
@@ -152,8 +152,8 @@ QString MessagesPage::name_of(const session::Message& message) {
 /// Rows are the messages, newest first.
 void MessagesPage::show_selected() {
     const QList<QTableWidgetItem*> selected = table_->selectedItems();
-    const auto& messages = bench_.log.messages();
-    const auto fresh = static_cast<std::size_t>(bench_.log.count() - shown_count_);  // without a row yet
+    const auto& messages = context_.log.messages();
+    const auto fresh = static_cast<std::size_t>(context_.log.count() - shown_count_);  // without a row yet
     const int row = selected.isEmpty() ? -1 : selected.front()->row();
     const std::size_t from_newest = fresh + static_cast<std::size_t>(std::max(row, 0));
     const bool is_one = row >= 0 && from_newest < messages.size() && !table_->isRowHidden(row);
@@ -185,50 +185,51 @@ void MessagesPage::choose_bundle() {
 }
 
 void MessagesPage::save_log(const QString& path) {
-    const auto save = [this, file = path.toStdString(), text = session::log_text(bench_.log.messages())] {
+    const auto save = [this, file = path.toStdString(), text = session::log_text(context_.log.messages())] {
         const auto saved = write_file_atomically(file, std::as_bytes(std::span{text}));
         return told(saved, session::phrase("Log saved: %1", file));
     };
-    lane_.post(bench_.saves.noted(path.toStdString(), save));
+    queue_.post(context_.saves.noted(path.toStdString(), save));
 }
 
 void MessagesPage::save_bundle(const QString& folder) {
     session::SupportBundle bundle;
-    bundle.messages = session::log_text(bench_.log.messages());
-    bundle.log_folder = bench_.keeper.folder();
-    const session::MachineSight& machine = bench_.machine.sight();
+    bundle.messages = session::log_text(context_.log.messages());
+    bundle.log_folder = context_.keeper.folder();
+    const session::MachineView& machine = context_.machine.view();
     if (!machine.is_profile_of_job) bundle.profile = machine.profile;
     bundle.versions = std::string{"psicarve   " PSICARVE_VERSION "\nlayout     "} +
                       std::to_string(kLayoutVersion) + "\nQt         " + qVersion() + "\n" +
                       session::system_text();
-    bundle.segment_name = bench_.machine.options().segment_name;
-    bundle.group = bench_.machine.options().group;
+    bundle.segment_name = context_.machine.options().segment_name;
+    bundle.group = context_.machine.options().group;
     const std::string stamp = QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss").toStdString();
     const auto save = [this, bundle, stamp, place = folder.toStdString()] {
         const auto made = session::write_support_bundle(bundle, place, stamp);
         return told(made ? Result<void>{} : Result<void>{made.error()},
                     session::phrase("Support bundle: %1", made ? *made : std::string{}));
     };
-    lane_.post(bench_.saves.noted(folder.toStdString(), save));
+    queue_.post(context_.saves.noted(folder.toStdString(), save));
 }
 
-session::WorkLane::Finish MessagesPage::told(const Result<void>& done, const session::Phrase& success) {
+session::BackgroundQueue::Finish MessagesPage::told(const Result<void>& done,
+                                                    const session::Phrase& success) {
     return [this, success, why = done ? std::string{} : done.error().message] {
         if (why.empty()) {
-            bench_.log.add(Severity::info, success);
+            context_.log.add(Severity::info, success);
         } else {
-            bench_.log.add(Severity::warning, session::phrase("Not saved: %1", why));
+            context_.log.add(Severity::warning, session::phrase("Not saved: %1", why));
         }
     };
 }
 
 void MessagesPage::refresh() {
-    lane_.deliver();
+    queue_.deliver();
     pane_->refresh();
-    const auto& messages = bench_.log.messages();
-    if (tokens_ == nullptr || shown_count_ == bench_.log.count()) return;
-    const auto fresh = static_cast<std::size_t>(bench_.log.count() - shown_count_);
-    shown_count_ = bench_.log.count();
+    const auto& messages = context_.log.messages();
+    if (tokens_ == nullptr || shown_count_ == context_.log.count()) return;
+    const auto fresh = static_cast<std::size_t>(context_.log.count() - shown_count_);
+    shown_count_ = context_.log.count();
     for (std::size_t i = messages.size() - std::min(fresh, messages.size()); i < messages.size(); ++i)
         add(messages[i]);
     table_->setRowCount(std::min(table_->rowCount(), static_cast<int>(session::MessageLog::kMost)));

@@ -4,9 +4,9 @@
 #include <QCoreApplication>
 #include <QWidget>
 
-#include "hmi/session/work_lane.hpp"
-#include "hmi/ui/bench.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 #include "shared/base/result.hpp"
 
 class QComboBox;
@@ -21,7 +21,7 @@ class MessagePane;
 class MessagesPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagesPage)
 public:
-    explicit MessagesPage(Bench& bench, QWidget* parent = nullptr);
+    explicit MessagesPage(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -37,7 +37,7 @@ private:
     QWidget* make_sound();
     void choose_log();
     void choose_bundle();
-    session::WorkLane::Finish told(const Result<void>& done, const session::Phrase& success);
+    session::BackgroundQueue::Finish told(const Result<void>& done, const session::Phrase& success);
 
     void add(const session::Message& message);
     void filter();
@@ -45,14 +45,14 @@ private:
     void show_selected_row();
     static QString name_of(const session::Message& message);
 
-    Bench& bench_;
+    WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     std::uint64_t shown_count_ = 0;
     QComboBox* kinds_;
     QLineEdit* find_;
     QTableWidget* table_;
     MessagePane* pane_;
-    session::WorkLane lane_;  // last: its tasks use the others
+    session::BackgroundQueue queue_;  // last: its tasks use the others
 };
 
 }  // namespace psicarve::ui

@@ -35,7 +35,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 
 constexpr int kFormWidth = PassView::kWidth_px;
 constexpr int kLeastForBoth = 480;
@@ -59,8 +59,11 @@ private:
     bool is_beside_ = false;
 };
 
-ModelPage::ModelPage(Bench& bench, Drawing drawing, Open open, QWidget* parent)
-    : QWidget(parent), bench_(bench), watch_(kReachable_rgb, kUndercut_rgb), view_(new MeshView{drawing}) {
+ModelPage::ModelPage(WindowContext& context, Drawing drawing, Open open, QWidget* parent)
+    : QWidget(parent),
+      context_(context),
+      watch_(kReachable_rgb, kUndercut_rgb),
+      view_(new MeshView{drawing}) {
     setObjectName("model_page");
     sides_ = new QBoxLayout{QBoxLayout::LeftToRight, this};
     sides_->setContentsMargins(kGap, kGap, kGap, kGap);
@@ -68,8 +71,8 @@ ModelPage::ModelPage(Bench& bench, Drawing drawing, Open open, QWidget* parent)
     QWidget* const view = make_view();
     sides_->addWidget(view, 1);
     sides_->addWidget(make_form());
-    bench_.desk.set_table_way([this] { return table_way(); });
-    work_ = new WorkBar{bench_, {room_->widget(), [this] { slice(); }, std::move(open)}};
+    context_.open_job.set_table_way([this] { return table_way(); });
+    work_ = new WorkBar{context_, {room_->widget(), [this] { slice(); }, std::move(open)}};
     static_cast<QVBoxLayout*>(view->layout())->insertWidget(0, work_);
 }
 
@@ -94,13 +97,13 @@ void ModelPage::place_refusal() {
 }
 
 void ModelPage::show_new_refusal() {
-    const auto& refusal = bench_.desk.refusal();
-    const bool is_of_slicing = refusal && refusal->of == session::DeskRefusal::Of::slicing;
-    if (is_of_slicing && bench_.desk.mesh() && changes_ != sliced_changes_) {
-        bench_.desk.forget_refusal();
+    const auto& refusal = context_.open_job.refusal();
+    const bool is_of_slicing = refusal && refusal->of == session::OpenJobRefusal::Of::slicing;
+    if (is_of_slicing && context_.open_job.mesh() && changes_ != sliced_changes_) {
+        context_.open_job.forget_refusal();
         slicing_->refresh(is_stale());
     }
-    const bool is_there = bench_.desk.refusal().has_value();
+    const bool is_there = context_.open_job.refusal().has_value();
     if (is_there && !is_refusal_seen_) room_->verticalScrollBar()->setValue(0);
     is_refusal_seen_ = is_there;
 }
@@ -129,7 +132,7 @@ QWidget* ModelPage::make_view() {
     show_hidden_->setProperty("small", true);
     show_hidden_->setFocusPolicy(Qt::TabFocus);
     connect(show_hidden_, &QPushButton::clicked, this, [this] {
-        if (shown_sight_ && shown_sight_->hidden_view) view_->look_as(*shown_sight_->hidden_view);
+        if (shown_view_ && shown_view_->hidden_view) view_->look_as(*shown_view_->hidden_view);
     });
     above->addWidget(show_hidden_);
     column->addLayout(above);
@@ -147,8 +150,9 @@ QWidget* ModelPage::make_form() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(role_label("head", tr("Placement and slicing")));
     column->addWidget(rule());
-    form_ = new ModelForm{[this] { look(); },
-                          [this] { bench_.desk.reshape(form_->flat_options(bench_.machine_profile())); }};
+    form_ =
+        new ModelForm{[this] { look(); },
+                      [this] { context_.open_job.reshape(form_->flat_options(context_.machine_profile())); }};
     turn_ = new TurnForm{[this] { turn_model(); },
                          [this] {
                              form_->set_fits(turn_->fits());
@@ -175,7 +179,7 @@ QWidget* ModelPage::make_form() {
     column->addWidget(room_, 1);
     watch_fields(*fields);
     column->addWidget(form_->pass_picture());
-    slicing_ = new SlicingPanel{bench_,
+    slicing_ = new SlicingPanel{context_,
                                 {[this] { slice(); }, [this] { reload(); },
                                  [this](const session::Remedy& remedy) { take_remedy(remedy); }}};
     column->addWidget(slicing_);
@@ -197,19 +201,19 @@ void ModelPage::watch_fields(QWidget& fields) {
 
 void ModelPage::slice() {
     sliced_changes_ = changes_;
-    bench_.desk.slice(options(), form_->profile_for(bench_.machine_profile()));
+    context_.open_job.slice(options(), form_->profile_for(context_.machine_profile()));
 }
 
 void ModelPage::take_remedy(const session::Remedy& remedy) {
     // Where the window goes by the core's already there is nothing to take.
-    const bool has_another = bench_.knows_core_profile() && !bench_.machine.sight().unused_profile.empty();
-    if (remedy.kind == session::Remedy::Kind::core_profile && has_another) bench_.take_core_profile();
+    const bool has_another = context_.knows_core_profile() && !context_.machine.view().unused_profile.empty();
+    if (remedy.kind == session::Remedy::Kind::core_profile && has_another) context_.take_core_profile();
     form_->take(remedy);
     slice();
 }
 
 session::TableWay ModelPage::table_way() const {
-    return {form_->profile_for(bench_.machine_profile()), form_->options().joining};
+    return {form_->profile_for(context_.machine_profile()), form_->options().joining};
 }
 
 /// As both forms have it.
@@ -223,37 +227,39 @@ cam::JobOptions ModelPage::options() const {
 }
 
 void ModelPage::turn_model() {
-    bench_.desk.turn(turn_->turn());
+    context_.open_job.turn(turn_->turn());
 }
 
 /// What is to be as large as fits has to fit another blank, too.
 void ModelPage::refit() {
-    const BlankProfile blank = form_->profile_for(bench_.machine_profile()).blank;
+    const BlankProfile blank = form_->profile_for(context_.machine_profile()).blank;
     if (blank == std::exchange(fitted_blank_, blank) || !turn_->fits()) return;
     look();
 }
 
 /// Grooves are as wide as the machine's tool: with another one the drawing is cut anew.
 void ModelPage::keep_engraving_cut() {
-    if (bench_.desk.kind() != flat::ModelKind::drawing || !form_->is_engraved()) return;
-    const flat::FlatOptions wanted = form_->flat_options(bench_.machine_profile());
-    if (flat::flat_options_json(wanted) != flat::flat_options_json(bench_.desk.shape()))
-        bench_.desk.reshape(wanted);
+    if (context_.open_job.kind() != flat::ModelKind::drawing || !form_->is_engraved()) return;
+    const flat::FlatOptions wanted = form_->flat_options(context_.machine_profile());
+    if (flat::flat_options_json(wanted) != flat::flat_options_json(context_.open_job.shape()))
+        context_.open_job.reshape(wanted);
 }
 
 /// As the form has it.
 void ModelPage::reload() {
-    if (bench_.desk.kind() == flat::ModelKind::mesh) return bench_.desk.open(bench_.desk.path());
-    bench_.desk.reshape(form_->flat_options(bench_.machine_profile()));
+    if (context_.open_job.kind() == flat::ModelKind::mesh)
+        return context_.open_job.open(context_.open_job.path());
+    context_.open_job.reshape(form_->flat_options(context_.machine_profile()));
 }
 
 /// What the form says about the placement is seen at once; what cannot be reached, when it is found out.
 void ModelPage::look() {
-    const auto scene = bench_.desk.scene();
+    const auto scene = context_.open_job.scene();
     if (!piece_->is_chosen()) show_model();
     show_facts();
     if (scene)
-        watch_.look(bench_.desk.mesh(), scene, form_->profile_for(bench_.machine_profile()), options());
+        watch_.look(context_.open_job.mesh(), scene, form_->profile_for(context_.machine_profile()),
+                    options());
     else
         watch_.forget();
 }
@@ -263,8 +269,8 @@ void ModelPage::show_model() {
     view_->set_blank({});
     view_->set_legend({});
     legend_.clear();
-    view_->replace_scene(bench_.desk.scene());
-    shown_sight_.reset();
+    view_->replace_scene(context_.open_job.scene());
+    shown_view_.reset();
 }
 
 void ModelPage::set_theme(const Tokens& tokens) {
@@ -276,22 +282,23 @@ void ModelPage::set_theme(const Tokens& tokens) {
 }
 
 void ModelPage::refresh() {
-    form_->show_passes(bench_.machine_profile());
+    form_->show_passes(context_.machine_profile());
     slicing_->refresh(is_stale());
     show_new_refusal();
-    if (shown_edition_ != bench_.desk.edition()) {
-        shown_edition_ = bench_.desk.edition();
+    if (shown_edition_ != context_.open_job.edition()) {
+        shown_edition_ = context_.open_job.edition();
         show_opened();
         show_warnings();
     }
-    turn_->show_what_applies(bench_.desk.kind(), form_->is_engraved(), bench_.desk.table_way().has_value());
+    turn_->show_what_applies(context_.open_job.kind(), form_->is_engraved(),
+                             context_.open_job.table_way().has_value());
     turn_model();
     keep_engraving_cut();
     watch_.poll(report_ != nullptr);
     refit();
     refresh_piece();
     refresh_report();
-    show_sight();
+    show_view();
     show_legend();
     show_blank();
     show_reasons();
@@ -304,37 +311,37 @@ void ModelPage::forget_work() {
 }
 
 void ModelPage::show_facts() {
-    const auto scene = bench_.desk.scene();
+    const auto scene = context_.open_job.scene();
     if (!scene) return size_->clear();
     QStringList lines;
     for (const session::Phrase& line :
-         session::mesh_lines(*bench_.desk.mesh(), slice::placed(form_->options().up, scene->size)))
+         session::mesh_lines(*context_.open_job.mesh(), slice::placed(form_->options().up, scene->size)))
         lines += words(line);
     size_->setText(lines.join('\n'));
 }
 
 void ModelPage::show_opened() {
-    const auto scene = bench_.desk.scene();
-    const bool is_other = opened_path_ != bench_.desk.path();
+    const auto scene = context_.open_job.scene();
+    const bool is_other = opened_path_ != context_.open_job.path();
     if (scene == opened_ && !is_other) return;
     opened_ = scene;
     if (is_other) {
-        opened_path_ = bench_.desk.path();
+        opened_path_ = context_.open_job.path();
         piece_->choose_model();
         blank_warnings_.clear();
         turn_->begin_anew();
         form_->set_fits(false);
-        form_->set_table(bench_.desk.table_way().has_value());
-        form_->begin(bench_.desk.kind(), bench_.desk.shape().engraving.has_value());
+        form_->set_table(context_.open_job.table_way().has_value());
+        form_->begin(context_.open_job.kind(), context_.open_job.shape().engraving.has_value());
     }
     view_->fit();
     look();
 }
 
-void ModelPage::show_sight() {
+void ModelPage::show_view() {
     const auto seen = watch_.seen();
-    if (!seen || seen == shown_sight_ || piece_->is_chosen()) return;
-    shown_sight_ = seen;
+    if (!seen || seen == shown_view_ || piece_->is_chosen()) return;
+    shown_view_ = seen;
     view_->replace_scene(seen->painted);
     shown_blank_.reset();
 }
@@ -342,49 +349,49 @@ void ModelPage::show_sight() {
 /// Where the form has it now; what it lacks is told before slicing.
 void ModelPage::show_blank() {
     const auto seen = watch_.seen();
-    const Profile profile = form_->profile_for(bench_.machine_profile());
+    const Profile profile = form_->profile_for(context_.machine_profile());
     // A job tells for itself.
-    const bool has_told = bench_.desk.job() && !is_stale();
+    const bool has_told = context_.open_job.job() && !is_stale();
     // What was told of a model that is being looked at again stays until that is done.
     std::vector<std::string> warnings = blank_warnings_;
-    if (has_told || !bench_.desk.mesh())
+    if (has_told || !context_.open_job.mesh())
         warnings.clear();
     else if (seen)
-        warnings = session::blank_warnings(seen->sight, profile);
+        warnings = session::blank_warnings(seen->reach, profile);
     if (warnings != blank_warnings_) {
         blank_warnings_ = std::move(warnings);
         show_warnings();
     }
-    if (!seen || seen != shown_sight_ || piece_->is_chosen()) return;
-    const session::BlankOutline blank = session::blank_outline(seen->sight, profile);
+    if (!seen || seen != shown_view_ || piece_->is_chosen()) return;
+    const session::BlankOutline blank = session::blank_outline(seen->reach, profile);
     if (shown_blank_ == blank) return;
     shown_blank_ = blank;
     const QString across = QString::fromStdString(session::number_text(blank.diameter_mm, 1));
     view_->set_blank(MeshView::Blank{
-        seen->sight.axis, blank.centre, blank.radius, blank.low, blank.high,
+        seen->reach.axis, blank.centre, blank.radius, blank.low, blank.high,
         blank.is_chosen ? tr("blank ⌀ %1 mm").arg(across) : tr("least blank ⌀ %1 mm").arg(across)});
 }
 
 void ModelPage::show_warnings() {
     std::vector<std::string> all;
-    if (bench_.desk.mesh()) all = bench_.desk.mesh()->warnings;
+    if (context_.open_job.mesh()) all = context_.open_job.mesh()->warnings;
     const auto add = [&all](const std::vector<std::string>& more) {
         const auto others = session::other_warnings(more, all);
         all.insert(all.end(), others.begin(), others.end());
     };
-    if (bench_.desk.job()) add(bench_.desk.job()->warnings);
+    if (context_.open_job.job()) add(context_.open_job.job()->warnings);
     add(blank_warnings_);
     warning_count_ = all.size();
     warnings_->show_warnings(std::move(all));
 }
 
 bool ModelPage::is_stale() const {
-    const session::JobSight& sight = bench_.desk.sight();
-    if (sight.state != DeskState::job && sight.state != DeskState::published) return false;
-    const bool is_taken_over = bench_.desk.is_taken_over();
+    const session::OpenJobView& job_view = context_.open_job.view();
+    if (job_view.state != OpenJobState::job && job_view.state != OpenJobState::published) return false;
+    const bool is_taken_over = context_.open_job.is_taken_over();
     // A table becomes a job without anybody's asking, too.
-    if (const auto& way = bench_.desk.table_way()) return is_taken_over || !way->is_as(table_way());
-    return bench_.desk.mesh() && (is_taken_over || changes_ != sliced_changes_);
+    if (const auto& way = context_.open_job.table_way()) return is_taken_over || !way->is_as(table_way());
+    return context_.open_job.mesh() && (is_taken_over || changes_ != sliced_changes_);
 }
 
 }  // namespace psicarve::ui

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "hmi/session/model_watch.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/space_canvas.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QBoxLayout;
 class QVBoxLayout;
@@ -34,7 +34,7 @@ class ModelPage : public QWidget {
 public:
     /// Opens a file as every one is opened, with what forbids that.
     using Open = std::function<void(const QString& path)>;
-    ModelPage(Bench& bench, Drawing drawing, Open open, QWidget* parent = nullptr);
+    ModelPage(WindowContext& context, Drawing drawing, Open open, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -73,7 +73,7 @@ private:
     void watch_fields(QWidget& fields);
     void keep_engraving_cut();
     void refit();
-    void show_sight();
+    void show_view();
     void show_legend();
     void show_reasons();
     void show_why_empty();
@@ -81,9 +81,9 @@ private:
     void show_blank();
     void show_warnings();
 
-    Bench& bench_;
+    WindowContext& context_;
     session::ModelWatch watch_;
-    std::shared_ptr<const session::ModelWatch::Seen> shown_sight_;
+    std::shared_ptr<const session::ModelWatch::Seen> shown_view_;
     QString legend_;
     QString why_empty_;
     replay::JobPointer counted_job_;  ///< that the share is of

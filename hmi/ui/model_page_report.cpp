@@ -17,15 +17,16 @@
 namespace psicarve::ui {
 
 void ModelPage::refresh_piece() {
-    const session::JobDesk& desk = bench_.desk;
-    const Profile profile = form_->profile_for(bench_.machine_profile());
+    const session::OpenJob& desk = context_.open_job;
+    const Profile profile = form_->profile_for(context_.machine_profile());
     const bool is_engraved = desk.mesh() && desk.mesh()->grooves;
     const session::PieceChoice choice =
         session::piece_choice(desk.job() != nullptr, desk.mesh() != nullptr, is_engraved, profile.tool.shape);
     no_piece_ = choice.reason;
     const bool is_of_job = choice.source == session::PieceSource::job;
     piece_->refresh(
-        choice, session::PieceWish{desk.job(), is_of_job ? desk.job_mesh() : desk.mesh(), profile, options()},
+        choice,
+        session::PieceRequest{desk.job(), is_of_job ? desk.job_mesh() : desk.mesh(), profile, options()},
         report_ != nullptr);
 }
 
@@ -38,7 +39,7 @@ void ModelPage::open_report() {
 
 /// As it becomes known. Without a mesh there is nothing to be told.
 void ModelPage::refresh_report() {
-    const auto mesh = bench_.desk.mesh();
+    const auto mesh = context_.open_job.mesh();
     if (report_ == nullptr) return;
     if (!mesh) {
         report_->close();
@@ -46,18 +47,18 @@ void ModelPage::refresh_report() {
     }
     const auto seen = watch_.seen();
     const auto findings = watch_.findings();
-    const auto piece = piece_->desk().sight();
+    const auto piece = piece_->desk().view();
     const session::Phrase& problem = piece_->desk().problem();
     report_->show_rows(QString::fromStdString(mesh->source_name),
-                       session::model_rows({*mesh, seen ? &seen->sight : nullptr, findings.get(), piece.get(),
+                       session::model_rows({*mesh, seen ? &seen->reach : nullptr, findings.get(), piece.get(),
                                             no_piece_.is_empty() ? problem : no_piece_, sliced_undercut()}));
 }
 
 /// One figure everywhere: the slicer's of the job's own layers and points, as its warnings and `psicarve
 /// inspect` have it. Nothing until the model is sliced as it stands in the form.
 std::optional<double> ModelPage::sliced_undercut() {
-    const auto job = bench_.desk.job();
-    if (!job || bench_.desk.job_mesh() != bench_.desk.mesh() || is_stale()) return std::nullopt;
+    const auto job = context_.open_job.job();
+    if (!job || context_.open_job.job_mesh() != context_.open_job.mesh() || is_stale()) return std::nullopt;
     if (counted_job_ != job) {
         counted_job_ = job;
         counted_share_ = session::job_facts(job->view).undercut_share;
@@ -66,13 +67,13 @@ std::optional<double> ModelPage::sliced_undercut() {
 }
 
 void ModelPage::show_legend() {
-    if (!shown_sight_ || piece_->is_chosen()) return;
+    if (!shown_view_ || piece_->is_chosen()) return;
     const auto sliced = sliced_undercut();
     const auto entry = [](QRgb rgb, const QString& text) {
         return QStringLiteral("<span style='color:%1'>■</span> %2").arg(QColor::fromRgb(rgb).name(), text);
     };
     constexpr double kPercent = 100.0;
-    const double share = sliced.value_or(shown_sight_->sight.undercut_share);
+    const double share = sliced.value_or(shown_view_->reach.undercut_share);
     const QString percent = QString::fromStdString(session::number_text(kPercent * share, 1));
     const QString undercut =
         sliced ? tr("undercut %1 %").arg(percent) : tr("undercut about %1 %").arg(percent);
@@ -84,21 +85,21 @@ void ModelPage::show_legend() {
 
 /// What is locked says why.
 void ModelPage::show_reasons() {
-    const bool has_mesh = bench_.desk.mesh() != nullptr;
+    const bool has_mesh = context_.open_job.mesh() != nullptr;
     lock_with(*report_button_, has_mesh ? QString{} : tr("Report: open a model first"),
               tr("What the mesh is made of, what is wrong with it and what no tool reaches"));
     lock_with(*show_hidden_,
-              !has_mesh                    ? tr("Undercut: open a model first")
-              : piece_->is_chosen()        ? tr("Undercut: choose Model first")
-              : !shown_sight_              ? tr("Undercut: it is being looked for")
-              : !shown_sight_->hidden_view ? tr("Undercut: there is none")
-                                           : QString{},
+              !has_mesh                   ? tr("Undercut: open a model first")
+              : piece_->is_chosen()       ? tr("Undercut: choose Model first")
+              : !shown_view_              ? tr("Undercut: it is being looked for")
+              : !shown_view_->hidden_view ? tr("Undercut: there is none")
+                                          : QString{},
               tr("From where most of the undercut is seen"));
 }
 
 /// In the view's place, while there is nothing to be seen.
 void ModelPage::show_why_empty() {
-    const session::RefusedFile* const refused = bench_.refused_file();
+    const session::RefusedFile* const refused = context_.refused_file();
     const QString usual = tr("No model. Open one from the menu, or drop a file here.");
     const QString text = refused == nullptr
                              ? usual

@@ -17,30 +17,30 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MotionButtons)
 };
 
-void start_what_is_said(Bench& bench) {
-    const session::RunKind kind = bench.wanted_run;  // whatever is chosen while it is asked
-    const std::uint32_t layer = layer_to_begin_with(bench).value_or(0);
-    const bool waits = bench.machine.sight().state() == MachineState::waiting;
+void start_what_is_said(WindowContext& context) {
+    const session::RunKind kind = context.wanted_run;  // whatever is chosen while it is asked
+    const std::uint32_t layer = layer_to_begin_with(context).value_or(0);
+    const bool waits = context.machine.view().state() == MachineState::waiting;
     const bool carves = kind == session::RunKind::carve && layer != 0 && !waits;
-    if (!carves || asked_to_go_on_from_disk(bench, layer, QApplication::activeWindow()))
-        bench.machine.start(layer, 0, kind);
+    if (!carves || asked_to_go_on_from_disk(context, layer, QApplication::activeWindow()))
+        context.machine.start(layer, 0, kind);
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> layer_to_begin_with(const Bench& bench) {
-    return session::layer_to_begin_with(bench.machine.sight(), bench.desk.sight(),
-                                        bench.wanted_run == session::RunKind::dry);
+std::optional<std::uint32_t> layer_to_begin_with(const WindowContext& context) {
+    return session::layer_to_begin_with(context.machine.view(), context.open_job.view(),
+                                        context.wanted_run == session::RunKind::dry);
 }
 
-MotionButtons make_motion_buttons(Bench& bench) {
+MotionButtons make_motion_buttons(WindowContext& context) {
     using session::Action;
-    session::MachineSession& machine = bench.machine;
+    session::MachineSession& machine = context.machine;
     const auto asks = [&machine](CommandKind kind, const char* name) {
         return [&machine, kind, name] { machine.order(kind, session::Phrase{name}); };
     };
     const MotionButtons made{
-        new ActionButton{Action::start, Words::tr("Start"), [&bench] { start_what_is_said(bench); }},
+        new ActionButton{Action::start, Words::tr("Start"), [&context] { start_what_is_said(context); }},
         new ActionButton{Action::hold, Words::tr("Hold"), asks(CommandKind::hold, "Hold")},
         new ActionButton{Action::resume, Words::tr("Resume"), asks(CommandKind::resume, "Resume")},
         new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};
@@ -62,12 +62,12 @@ QString said_beside(const MotionButtons& buttons, const QString& to_look_at) {
                : why_locked(buttons);
 }
 
-void show_what_starts(ActionButton& start, const Bench& bench) {
-    const session::MachineSight& sight = bench.machine.sight();
-    const bool waits = sight.is_heard() && sight.state() == MachineState::waiting;
-    const bool is_dry = waits ? sight.status->is_dry != 0 : bench.wanted_run == session::RunKind::dry;
-    const auto layer = layer_to_begin_with(bench);
-    const QString text = words(session::start_text(sight, bench.desk.sight(), is_dry));
+void show_what_starts(ActionButton& start, const WindowContext& context) {
+    const session::MachineView& view = context.machine.view();
+    const bool waits = view.is_heard() && view.state() == MachineState::waiting;
+    const bool is_dry = waits ? view.status->is_dry != 0 : context.wanted_run == session::RunKind::dry;
+    const auto layer = layer_to_begin_with(context);
+    const QString text = words(session::start_text(view, context.open_job.view(), is_dry));
     if (start.text() != text) {
         const QKeySequence keys = start.shortcut();  // a new text would take it away
         start.setText(text);

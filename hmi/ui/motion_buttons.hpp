@@ -18,14 +18,14 @@ struct MotionButtons {
 
     std::array<ActionButton*, 4> all() const noexcept { return {start, hold, resume, stop}; }
 };
-MotionButtons make_motion_buttons(Bench& bench);
+MotionButtons make_motion_buttons(WindowContext& context);
 /// The one thing to be said beside them: why Start is locked, else why the others are. Empty: nothing is.
 QString why_locked(const MotionButtons& buttons);
 /// The same, and where Start works what should be looked at before; empty: nothing.
 QString said_beside(const MotionButtons& buttons, const QString& to_look_at);
 /// From 0; nothing: with the first. What Start begins with.
-std::optional<std::uint32_t> layer_to_begin_with(const Bench& bench);
+std::optional<std::uint32_t> layer_to_begin_with(const WindowContext& context);
 /// Start says what it would start: the job, what is left of it, or a dry run.
-void show_what_starts(ActionButton& start, const Bench& bench);
+void show_what_starts(ActionButton& start, const WindowContext& context);
 
 }  // namespace psicarve::ui

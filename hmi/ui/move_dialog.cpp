@@ -36,12 +36,12 @@ QDoubleSpinBox* field(Axis axis, const QString& id) {
 
 }  // namespace
 
-MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
+MoveDialog::MoveDialog(WindowContext& context, QWidget* parent)
     : QDialog(parent),
-      bench_(bench),
+      context_(context),
       shape_(new ChoiceBox),
       reason_(role_label("label")),
-      refused_(new OrderCard{bench, session::OrderPlace::move, "move", OrderCard::Shape::wide}) {
+      refused_(new OrderCard{context, session::OrderPlace::move, "move", OrderCard::Shape::wide}) {
     setObjectName("move_dialog");
     setWindowTitle(tr("Go to"));
     shape_->setObjectName("move_shape");
@@ -63,8 +63,9 @@ MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
         if (row.centre != nullptr) grid->addWidget(row.centre, line, 2);
     }
     go_ = new ActionButton{
-        [this](const Bench& now) { return session::move_lock(now.machine.sight(), wish()); }, tr("Go"),
-        [this] { bench_.machine.order(session::move_command(wish()), session::phrase("Go to")); }};
+        [this](const WindowContext& now) { return session::move_lock(now.machine.view(), request()); },
+        tr("Go"),
+        [this] { context_.machine.order(session::move_command(request()), session::phrase("Go to")); }};
     go_->setObjectName("move_go");
     go_->setProperty("strong", true);
     go_->set_hint(tr("All chosen axes together; Ψ the short way. Stop and F1 end it."));
@@ -98,7 +99,7 @@ MoveDialog::MoveDialog(Bench& bench, QWidget* parent)
 
 /// What was refused was another move.
 void MoveDialog::follow_fields() {
-    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::move); };
+    const auto forget = [this] { context_.machine.forget_refused_order(session::OrderPlace::move); };
     connect(shape_, &QComboBox::currentIndexChanged, this, forget);
     for (const Row& row : rows_) {
         connect(row.is_wanted, &QCheckBox::toggled, this, forget);
@@ -128,20 +129,20 @@ bool MoveDialog::is_arc() const {
     return shape == MoveShape::arc || shape == MoveShape::clockwise;
 }
 
-session::MoveWish MoveDialog::wish() const {
-    session::MoveWish wish;
-    wish.shape = static_cast<MoveShape>(shape_->currentData().toInt());
+session::MoveRequest MoveDialog::request() const {
+    session::MoveRequest request;
+    request.shape = static_cast<MoveShape>(shape_->currentData().toInt());
     for (const Axis axis : kAllAxes) {
         const Row& row = rows_[index_of(axis)];
-        if (row.is_wanted->isChecked()) wish.target[index_of(axis)] = row.target->value();
-        if (row.centre != nullptr) wish.centre[index_of(axis)] = row.centre->value();
+        if (row.is_wanted->isChecked()) request.target[index_of(axis)] = row.target->value();
+        if (row.centre != nullptr) request.centre[index_of(axis)] = row.centre->value();
     }
-    return wish;
+    return request;
 }
 
 void MoveDialog::take_positions() {
     for (const Axis axis : kAllAxes) {
-        const auto position = session::position_of(bench_.machine.sight(), axis);
+        const auto position = session::position_of(context_.machine.view(), axis);
         const Row& row = rows_[index_of(axis)];
         if (position) row.target->setValue(*position);
         row.is_wanted->setChecked(false);
@@ -151,7 +152,7 @@ void MoveDialog::take_positions() {
 void MoveDialog::open_here() {
     if (!isVisible()) {
         take_positions();
-        bench_.machine.forget_refused_order(session::OrderPlace::move);
+        context_.machine.forget_refused_order(session::OrderPlace::move);
     }
     show();
     raise();
@@ -160,7 +161,7 @@ void MoveDialog::open_here() {
 
 void MoveDialog::refresh() {
     if (!isVisible()) return;
-    reason_->setText(go_->refresh(bench_));
+    reason_->setText(go_->refresh(context_));
     refused_->refresh();
     centre_head_->setEnabled(is_arc());
     for (const Row& row : rows_) {

@@ -6,9 +6,9 @@
 
 #include <array>
 
-#include "hmi/session/move_wish.hpp"
+#include "hmi/session/move_request.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QCheckBox;
 class QComboBox;
@@ -23,7 +23,7 @@ class OrderCard;
 class MoveDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MoveDialog)
 public:
-    explicit MoveDialog(Bench& bench, QWidget* parent = nullptr);
+    explicit MoveDialog(WindowContext& context, QWidget* parent = nullptr);
 
     /// Opens it with the axes' present positions.
     void open_here();
@@ -38,11 +38,11 @@ private:
     };
     Row make_row(Axis axis);
     void follow_fields();
-    session::MoveWish wish() const;
+    session::MoveRequest request() const;
     bool is_arc() const;
     void take_positions();
 
-    Bench& bench_;
+    WindowContext& context_;
     std::array<Row, kAxisCount> rows_{};
     QComboBox* shape_;
     QLabel* centre_head_;

@@ -41,23 +41,23 @@ QRect pages_of(const QWidget& window) {
     return all.adjusted(kSmallGap, tabs->tabBar()->height() + kSmallGap, -kSmallGap, -kSmallGap);
 }
 
-Help help_now(const Bench& bench) {
-    const auto& told = bench.machine.refused_order();
+Help help_now(const WindowContext& context) {
+    const auto& told = context.machine.refused_order();
     return told ? told->help : Help::none;
 }
 
-std::optional<session::Phrase> help_lock(const Bench& bench) {
+std::optional<session::Phrase> help_lock(const WindowContext& context) {
     const auto action =
-        help_now(bench) == Help::reset_alarm ? session::Action::reset_alarm : session::Action::home;
-    return session::lock_of(action, bench.machine.sight(), bench.desk.sight());
+        help_now(context) == Help::reset_alarm ? session::Action::reset_alarm : session::Action::home;
+    return session::lock_of(action, context.machine.view(), context.open_job.view());
 }
 
 }  // namespace
 
-OrderCard::OrderCard(Bench& bench, session::OrderPlace place, const QString& name, Shape shape,
+OrderCard::OrderCard(WindowContext& context, session::OrderPlace place, const QString& name, Shape shape,
                      QWidget* parent)
     : QFrame(parent),
-      bench_(bench),
+      context_(context),
       place_(place),
       icon_(new QLabel),
       why_(plain_label()),
@@ -78,7 +78,7 @@ OrderCard::OrderCard(Bench& bench, session::OrderPlace place, const QString& nam
     read_->setAccessibleName(tr("Acknowledge"));
     read_->setToolTip(tr("Takes this away once it was read; it moves and stops nothing"));
     connect(read_, &QAbstractButton::clicked, this, [this] {
-        bench_.machine.forget_refused_order(place_);
+        context_.machine.forget_refused_order(place_);
         hide();
     });
     lay_out(shape);
@@ -105,15 +105,15 @@ void OrderCard::set_theme(const Tokens& tokens) {
 }
 
 void OrderCard::help() {
-    const Help wanted = help_now(bench_);
-    if (wanted == Help::home_all) bench_.machine.order(CommandKind::home, session::phrase("Home"));
+    const Help wanted = help_now(context_);
+    if (wanted == Help::home_all) context_.machine.order(CommandKind::home, session::phrase("Home"));
     if (wanted == Help::reset_alarm)
-        bench_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm"));
+        context_.machine.order(CommandKind::reset_alarm, session::phrase("Reset alarm"));
 }
 
 bool OrderCard::is_wanted() const {
-    const auto& told = bench_.machine.refused_order();
-    return told && told->place == place_ && !bench_.replay.is_open();
+    const auto& told = context_.machine.refused_order();
+    return told && told->place == place_ && !context_.replay.is_open();
 }
 
 void OrderCard::show_refusal(const session::OrderRefusal& refusal) {
@@ -123,13 +123,13 @@ void OrderCard::show_refusal(const session::OrderRefusal& refusal) {
     if (remedy_->isHidden() == has_help) remedy_->setVisible(has_help);
     const QString text = refusal.help == Help::reset_alarm ? tr("Reset alarm") : tr("Home all");
     if (remedy_->text() != text) remedy_->setText(text);
-    remedy_->refresh(bench_);
+    remedy_->refresh(context_);
     setAccessibleName(why_->text());
 }
 
 bool OrderCard::refresh() {
     const bool is_there = is_wanted();
-    if (is_there) show_refusal(*bench_.machine.refused_order());
+    if (is_there) show_refusal(*context_.machine.refused_order());
     if (isHidden() == is_there) setVisible(is_there);
     return is_there;
 }
@@ -140,7 +140,7 @@ bool OrderCard::comes_before_pages(const QWidget& user) {
     if (window == nullptr) return false;
     if (parentWidget() != window) setParent(window);
     if (!is_wanted()) return false;
-    show_refusal(*bench_.machine.refused_order());
+    show_refusal(*context_.machine.refused_order());
     return true;
 }
 

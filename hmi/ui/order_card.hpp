@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "hmi/session/refused_order.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QPushButton;
@@ -27,8 +27,8 @@ public:
         wide,  ///< beside it
     };
     /// Its parts are refused_NAME, refused_NAME_why, refused_NAME_remedy and refused_NAME_read.
-    OrderCard(Bench& bench, session::OrderPlace place, const QString& name, Shape shape = Shape::high,
-              QWidget* parent = nullptr);
+    OrderCard(WindowContext& context, session::OrderPlace place, const QString& name,
+              Shape shape = Shape::high, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     /// True when it is there.
@@ -48,7 +48,7 @@ private:
     void show_at(QPoint at, QSize size);
     void show_refusal(const session::OrderRefusal& refusal);
 
-    Bench& bench_;
+    WindowContext& context_;
     session::OrderPlace place_;
     QLabel* icon_;
     QLabel* why_;

@@ -36,19 +36,19 @@ QScrollArea* scrolled(QWidget* page) {
 
 }  // namespace
 
-PageTabs::PageTabs(Bench& bench, Drawing drawing, std::function<void(const QString& path)> open,
+PageTabs::PageTabs(WindowContext& context, Drawing drawing, std::function<void(const QString& path)> open,
                    QWidget* parent)
     : QTabWidget(parent),
-      bench_(bench),
-      model_(new ModelPage{bench, drawing, std::move(open)}),
-      layers_(new LayersPage{bench}),
-      carving_(new CarvingPage{bench, drawing}),
-      ports_(new PortsPage{bench}),
-      realtime_(new RealtimePage{bench}),
-      messages_(new MessagesPage{bench}),
-      entries_(new EntriesPage{bench}),
+      context_(context),
+      model_(new ModelPage{context, drawing, std::move(open)}),
+      layers_(new LayersPage{context}),
+      carving_(new CarvingPage{context, drawing}),
+      ports_(new PortsPage{context}),
+      realtime_(new RealtimePage{context}),
+      messages_(new MessagesPage{context}),
+      entries_(new EntriesPage{context}),
       messages_or_entries_(new QStackedWidget),
-      profile_(new ProfilePage{bench}) {
+      profile_(new ProfilePage{context}) {
     setObjectName("tabs");
     setDocumentMode(true);
     tabBar()->setDrawBase(false);
@@ -114,11 +114,11 @@ void PageTabs::refresh_entries() {
 }
 
 void PageTabs::show_badges() {
-    if (messages_->isVisible()) read_messages_ = bench_.log.count();
+    if (messages_->isVisible()) read_messages_ = context_.log.count();
     std::size_t unread = 0;
     BadgeTone tone = BadgeTone::warning;
-    const auto& all = bench_.log.messages();
-    const auto fresh = std::min<std::uint64_t>(bench_.log.count() - read_messages_, all.size());
+    const auto& all = context_.log.messages();
+    const auto fresh = std::min<std::uint64_t>(context_.log.count() - read_messages_, all.size());
     for (auto i = all.size() - fresh; i < all.size(); ++i) {
         if (all[i].is_from_before) continue;
         unread += all[i].severity != session::Severity::info ? 1 : 0;

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/space_canvas.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QStackedWidget;
 
@@ -29,7 +29,7 @@ class PageTabs : public QTabWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::PageTabs)
 public:
     /// `open`: a file, as every one is opened.
-    PageTabs(Bench& bench, Drawing drawing, std::function<void(const QString& path)> open,
+    PageTabs(WindowContext& context, Drawing drawing, std::function<void(const QString& path)> open,
              QWidget* parent = nullptr);
 
     ModelPage& model() const noexcept { return *model_; }
@@ -52,7 +52,7 @@ private:
     int tab_of(const QWidget& page) const;
     void show_badges();
 
-    Bench& bench_;
+    WindowContext& context_;
     ModelPage* model_;
     LayersPage* layers_;
     CarvingPage* carving_;

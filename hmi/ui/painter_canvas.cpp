@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
 #include "hmi/ui/space_canvas.hpp"
 
 namespace psicarve::ui {
@@ -84,7 +84,7 @@ private:
     bool is_stale_ = true;
     std::optional<Wish> wish_;
     std::uint64_t wishes_ = 0;
-    session::WorkLane lane_;  // last: its thread uses the others
+    session::BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 void PainterCanvas::renew_image() {
@@ -109,10 +109,10 @@ void PainterCanvas::wish_for(const CanvasRoom& room) {
         image_ = drawn_image(quick, room);
     }
     wish_ = Wish{picture_, room};
-    lane_.drop_waiting();
-    lane_.post([this, wish = *wish_, number = ++wishes_]() -> session::WorkLane::Finish {
+    queue_.drop_waiting();
+    queue_.post([this, wish = *wish_, number = ++wishes_]() -> session::BackgroundQueue::Finish {
         const auto show = [this, number, image = drawn_image(wish.picture, wish.room)] {
-            lane_.deliver();
+            queue_.deliver();
             if (number != wishes_) return;
             image_ = image;
             update();

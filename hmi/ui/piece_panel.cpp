@@ -39,18 +39,19 @@ QString number_of(double value, int decimals) {
 }
 
 /// Of what the colours say.
-QString legend_of(const session::PieceSight& sight) {
-    if (!sight.has_model) {
+QString legend_of(const session::PieceView& piece_view) {
+    if (!piece_view.has_model) {
         return QStringLiteral("%1 %2 %3")
-            .arg(number_of(sight.least_mm, 0), colour_bar(session::viridis),
-                 PiecePanel::tr("%1 mm").arg(number_of(sight.most_mm, 0)));
+            .arg(number_of(piece_view.least_mm, 0), colour_bar(session::viridis),
+                 PiecePanel::tr("%1 mm").arg(number_of(piece_view.most_mm, 0)));
     }
-    const auto colour = [&sight](double ratio) {
-        const bool is_neutral = std::abs(2.0 * ratio - 1.0) * sight.reach_mm <= sight.pulse_mm;
+    const auto colour = [&piece_view](double ratio) {
+        const bool is_neutral = std::abs(2.0 * ratio - 1.0) * piece_view.reach_mm <= piece_view.pulse_mm;
         return is_neutral ? kDoneColour : session::vik(ratio);
     };
     return PiecePanel::tr("too deep %1 material left<br>±%2 mm, ±%3 pulses")
-        .arg(colour_bar(colour), number_of(sight.reach_mm, 3), number_of(sight.reach_mm / sight.pulse_mm, 0));
+        .arg(colour_bar(colour), number_of(piece_view.reach_mm, 3),
+             number_of(piece_view.reach_mm / piece_view.pulse_mm, 0));
 }
 
 }  // namespace
@@ -128,8 +129,8 @@ session::PieceScenePlan PiecePanel::plan() const {
     return plan;
 }
 
-void PiecePanel::refresh(const session::PieceChoice& choice, const std::optional<session::PieceWish>& wish,
-                         bool is_asked_for) {
+void PiecePanel::refresh(const session::PieceChoice& choice,
+                         const std::optional<session::PieceRequest>& request, bool is_asked_for) {
     const bool can_be = choice.source != session::PieceSource::none;
     piece_->setEnabled(can_be);
     piece_->setToolTip(!can_be ? words(session::joined(session::phrase("Expected piece"), choice.reason))
@@ -138,24 +139,24 @@ void PiecePanel::refresh(const session::PieceChoice& choice, const std::optional
                            : tr("A draft of what the tool will leave, before the model is sliced"));
     piece_->setAccessibleDescription(piece_->toolTip());
     if (!can_be) choose_model();
-    desk_.poll(can_be ? wish : std::nullopt, plan(), is_chosen() || is_asked_for);
+    desk_.poll(can_be ? request : std::nullopt, plan(), is_chosen() || is_asked_for);
     if (!is_chosen()) return;
     show_piece();
     say();
 }
 
 void PiecePanel::show_piece() {
-    const auto sight = desk_.sight();
-    if (is_view_ours_ && sight == shown_) return;
+    const auto piece_view = desk_.view();
+    if (is_view_ours_ && piece_view == shown_) return;
     if (!is_view_ours_) {
         is_view_ours_ = true;
         view_.set_blank({});
         view_.show_file_axes(false);
         view_.set_up(slice::Up::z);
     }
-    shown_ = sight;
-    view_.set_legend(sight ? legend_of(*sight) : QString{});
-    view_.replace_scene(sight ? sight->scene : nullptr);
+    shown_ = piece_view;
+    view_.set_legend(piece_view ? legend_of(*piece_view) : QString{});
+    view_.replace_scene(piece_view ? piece_view->scene : nullptr);
 }
 
 void PiecePanel::say() {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-#include "hmi/session/piece_desk.hpp"
+#include "hmi/session/piece_preview.hpp"
 #include "hmi/ui/tokens.hpp"
 
 class QLayout;
@@ -33,9 +33,9 @@ public:
     bool is_chosen() const;
     void choose_model();
     /// At screen rate. `is_asked_for`: by somebody else, too.
-    void refresh(const session::PieceChoice& choice, const std::optional<session::PieceWish>& wish,
+    void refresh(const session::PieceChoice& choice, const std::optional<session::PieceRequest>& request,
                  bool is_asked_for);
-    const session::PieceDesk& desk() const noexcept { return desk_; }
+    const session::PiecePreview& desk() const noexcept { return desk_; }
 
 private:
     void choose();
@@ -45,8 +45,8 @@ private:
 
     MeshView& view_;
     std::function<void()> shows_model_;
-    session::PieceDesk desk_;
-    std::shared_ptr<const session::PieceSight> shown_;
+    session::PiecePreview desk_;
+    std::shared_ptr<const session::PieceView> shown_;
     bool is_view_ours_ = false;
     QPushButton* model_;
     QPushButton* piece_;

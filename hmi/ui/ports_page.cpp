@@ -28,14 +28,14 @@ constexpr int kHeadHeight_px = 24;
 
 }  // namespace
 
-PortsPage::PortsPage(Bench& bench, QWidget* parent)
+PortsPage::PortsPage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
+      context_(context),
       connector_(new ConnectorView),
       table_(new QTableWidget{0, kPinColumns}),
       timing_(new TimingView),
       note_(role_label("small")),
-      wiring_(new WiringBar{bench}) {
+      wiring_(new WiringBar{context}) {
     setObjectName("ports_page");
     table_->setObjectName("pins");
     table_->setHorizontalHeaderLabels({tr("Pin"), tr("Signal"), tr("Register bit"), {}, tr("Level")});
@@ -68,11 +68,12 @@ PortsPage::PortsPage(Bench& bench, QWidget* parent)
 }
 
 void PortsPage::make_record_button() {
-    record_ = new ActionButton{[](const Bench& now) {
-                                   return session::record_lock(
-                                       now.machine.sight(), now.desk.core_job() != nullptr, now.pins.state());
-                               },
-                               tr("Record pins…"), [this] { change_recording(); }};
+    record_ =
+        new ActionButton{[](const WindowContext& now) {
+                             return session::record_lock(
+                                 now.machine.view(), now.open_job.core_job() != nullptr, now.pins.state());
+                         },
+                         tr("Record pins…"), [this] { change_recording(); }};
     record_->setObjectName("record_pins");
     record_->setProperty("small", true);
     record_->set_hint(
@@ -81,23 +82,23 @@ void PortsPage::make_record_button() {
 }
 
 void PortsPage::change_recording() {
-    if (bench_.pins.state() != session::PinRecorder::State::idle) return bench_.pins.end();
+    if (context_.pins.state() != session::PinRecorder::State::idle) return context_.pins.end();
     const QString path =
         ask_where_to_save(this, tr("Record pins"), "run.trace", tr("Traces (*.trace *.vcd);;All files (*)"));
     if (!path.isEmpty()) record_to(path);
 }
 
 void PortsPage::record_to(const QString& path) {
-    bench_.pins.begin(path.toStdString(), bench_.desk.core_job());
+    context_.pins.begin(path.toStdString(), context_.open_job.core_job());
 }
 
 void PortsPage::refresh_record_button() {
-    const auto state = bench_.pins.state();
+    const auto state = context_.pins.state();
     const bool is_on =
         state == session::PinRecorder::State::recording || state == session::PinRecorder::State::starting;
     const QString text = is_on ? tr("Stop recording") : tr("Record pins…");
     if (record_->text() != text) record_->setText(text);
-    record_->refresh(bench_);
+    record_->refresh(context_);
 }
 
 void PortsPage::set_theme(const Tokens& tokens) {
@@ -119,7 +120,7 @@ void PortsPage::take_profile(const Profile& profile) {
     fill_table();
 }
 
-// All signals are in sight, whatever else the page has to show.
+// All signals are in view, whatever else the page has to show.
 void PortsPage::fit_rows() {
     const int room_px = table_->viewport()->height() / std::max(1, table_->rowCount());
     const int height_px = std::clamp(room_px, kLeastRowHeight_px, kMostRowHeight_px);
@@ -187,21 +188,21 @@ void PortsPage::let_go() {
 }
 
 void PortsPage::note_live_levels() {
-    const auto& sight = bench_.machine.sight();
-    if (sight.core_pid != core_pid_) history_.forget();
-    core_pid_ = sight.core_pid;
-    if (sight.status && sight.is_heard()) history_.note(*sight.status, session::LevelHistory::Clock::now());
+    const auto& view = context_.machine.view();
+    if (view.core_pid != core_pid_) history_.forget();
+    core_pid_ = view.core_pid;
+    if (view.status && view.is_heard()) history_.note(*view.status, session::LevelHistory::Clock::now());
 }
 
 void PortsPage::show_recording() {
-    const auto& sight = bench_.replay.sight();
-    if (sight.profile) take_profile(*sight.profile);
+    const auto& view = context_.replay.view();
+    if (view.profile) take_profile(*view.profile);
     fit_rows();
     note_->setVisible(true);
-    show_levels(sight.status ? sight.status->signals : 0);
-    timing_->show_history(bench_.replay.history(),
-                          replay::PinLooks::time_point(bench_.replay.shown().time_ns));
-    const QString note = bench_.replay.facts().knows_every_pulse
+    show_levels(view.status ? view.status->signals : 0);
+    timing_->show_history(context_.replay.history(),
+                          replay::PinLooks::time_point(context_.replay.shown().time_ns));
+    const QString note = context_.replay.facts().knows_every_pulse
                              ? tr("Recorded levels of the 20 seconds before this moment.")
                              : tr("Recorded levels at the entries of the flight recorder. Steps are not in a "
                                   "snapshot.");
@@ -210,26 +211,26 @@ void PortsPage::show_recording() {
 
 void PortsPage::refresh() {
     wiring_->refresh();
-    bench_.replay.want_looks(isVisible());
+    context_.replay.want_looks(isVisible());
     note_live_levels();
     if (!isVisible()) return;
     // A recording's timeline takes the room of the connector.
-    const bool is_replay = bench_.replay.is_open();
+    const bool is_replay = context_.replay.is_open();
     record_->setVisible(!is_replay && !wiring_->is_armed());
     refresh_record_button();
     connector_->setVisible(!is_replay);
     wiring_->setVisible(!is_replay);
     if (is_replay) return show_recording();
-    const auto& sight = bench_.machine.sight();
+    const auto& view = context_.machine.view();
     // A job's profile may have other pins.
-    const bool knows_pins = sight.profile && !sight.is_profile_of_job;
-    if (knows_pins) take_profile(*sight.profile);
+    const bool knows_pins = view.profile && !view.is_profile_of_job;
+    if (knows_pins) take_profile(*view.profile);
     fit_rows();
     note_->setVisible(!wiring_->is_armed());
-    show_levels(sight.status ? sight.status->signals : 0);
+    show_levels(view.status ? view.status->signals : 0);
     timing_->show_history(history_, session::LevelHistory::Clock::now());
     const QString note =
-        !sight.is_heard() ? tr("No core: these are the last levels known.")
+        !view.is_heard() ? tr("No core: these are the last levels known.")
         : knows_pins
             ? tr("Logical levels, looked at 30 times a second; steps by how many there were in between. "
                  "A recording holds every edge.")

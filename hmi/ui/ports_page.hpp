@@ -9,8 +9,8 @@
 
 #include "hmi/profile/pin_rows.hpp"
 #include "hmi/session/level_history.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QTableWidget;
@@ -26,7 +26,7 @@ class WiringBar;
 class PortsPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::PortsPage)
 public:
-    explicit PortsPage(Bench& bench, QWidget* parent = nullptr);
+    explicit PortsPage(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -47,7 +47,7 @@ private:
     void refresh_record_button();
     void show_recording();
 
-    Bench& bench_;
+    WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     std::optional<Profile> profile_;
     std::vector<session::PinRow> rows_;

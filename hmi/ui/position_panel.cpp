@@ -54,7 +54,8 @@ QLabel* lamp() {
 
 }  // namespace
 
-PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"), parent), bench_(bench) {
+PositionPanel::PositionPanel(WindowContext& context, QWidget* parent)
+    : Dock(tr("Position"), parent), context_(context) {
     body().setContentsMargins(0, 0, 0, kGap);
     body().setSpacing(0);
     for (const Axis axis : kAllAxes) {
@@ -62,17 +63,17 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
         body().addWidget(rule());
     }
     home_ = new ActionButton{session::Action::home, tr("Home all"),
-                             [this] { bench_.machine.order(CommandKind::home, session::phrase("Home")); }};
+                             [this] { context_.machine.order(CommandKind::home, session::phrase("Home")); }};
     home_->setObjectName("home");
     home_->set_hint(tr("R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)"));
     home_->setShortcut(Qt::CTRL | Qt::Key_Home);
     home_one_ = new ActionButton{
-        [this](const Bench& now) { return session::home_lock(now.machine.sight(), selected_); }, QString{},
-        [this] { home_selected(); }};
+        [this](const WindowContext& now) { return session::home_lock(now.machine.view(), selected_); },
+        QString{}, [this] { home_selected(); }};
     home_one_->setObjectName("home_one");
     zero_one_ = new ActionButton{
-        [this](const Bench& now) { return session::zero_lock(now.machine.sight(), selected_); }, QString{},
-        [this] { change_zero(); }};
+        [this](const WindowContext& now) { return session::zero_lock(now.machine.view(), selected_); },
+        QString{}, [this] { change_zero(); }};
     zero_one_->setObjectName("zero_one");
     take_zeros();
     auto* buttons = new QHBoxLayout;
@@ -82,14 +83,15 @@ PositionPanel::PositionPanel(Bench& bench, QWidget* parent) : Dock(tr("Position"
     buttons->addWidget(home_one_, 1);
     buttons->addWidget(home_, 1);
     body().addLayout(buttons);
-    refused_ = new OrderCard{bench_, session::OrderPlace::position, "position", OrderCard::Shape::high, this};
+    refused_ =
+        new OrderCard{context_, session::OrderPlace::position, "position", OrderCard::Shape::high, this};
     select(Axis::r1);
 }
 
 void PositionPanel::take_zeros() {
-    const WindowSettings settings{*bench_.settings};
+    const WindowSettings settings{*context_.settings};
     for (const Axis axis : kAllAxes)
-        zero_.set(axis, settings.zero(bench_.machine.options().segment_name, axis));
+        zero_.set(axis, settings.zero(context_.machine.options().segment_name, axis));
 }
 
 QWidget* PositionPanel::make_row(Axis axis) {
@@ -155,15 +157,15 @@ void PositionPanel::refresh() {
         refresh_row(axis);
         refresh_lamps(axis);
     }
-    const session::MachineSight& sight = bench_.shown();
-    note().setText(bench_.replay.is_open()             ? tr("recorded")
-                   : sight.is_heard() || !sight.status ? QString{}
-                                                       : last_known(sight));
+    const session::MachineView& view = context_.shown();
+    note().setText(context_.replay.is_open()         ? tr("recorded")
+                   : view.is_heard() || !view.status ? QString{}
+                                                     : last_known(view));
     refresh_buttons();
 }
 
 void PositionPanel::select(Axis axis) {
-    if (axis != selected_) bench_.machine.forget_refused_order(session::OrderPlace::position);
+    if (axis != selected_) context_.machine.forget_refused_order(session::OrderPlace::position);
     selected_ = axis;
     for (const Axis each : kAllAxes)
         set_styled(rows_[index_of(each)].whole, "selected", each == axis ? "yes" : "no");
@@ -171,7 +173,7 @@ void PositionPanel::select(Axis axis) {
 }
 
 bool PositionPanel::is_zero_shown() const {
-    return session::is_at_zero(session::from_zero(bench_.machine.sight(), selected_, zero_.of(selected_)));
+    return session::is_at_zero(session::from_zero(context_.machine.view(), selected_, zero_.of(selected_)));
 }
 
 void PositionPanel::refresh_buttons() {
@@ -182,40 +184,40 @@ void PositionPanel::refresh_buttons() {
     zero_one_->setText(clears ? tr("No zero") : tr("Zero %1").arg(letter));
     zero_one_->set_hint(clears ? tr("Forgets the zero of %1").arg(letter)
                                : tr("Shows how far %1 is from here; no motion changes").arg(letter));
-    for (ActionButton* button : {home_, home_one_, zero_one_}) button->refresh(bench_);
+    for (ActionButton* button : {home_, home_one_, zero_one_}) button->refresh(context_);
     refused_->refresh_beside(*this, *home_);
 }
 
 void PositionPanel::change_zero() {
     zero_.set(selected_,
-              is_zero_shown() ? std::nullopt : session::position_of(bench_.machine.sight(), selected_));
-    WindowSettings{*bench_.settings}.set_zero(bench_.machine.options().segment_name, selected_,
-                                              zero_.of(selected_));
+              is_zero_shown() ? std::nullopt : session::position_of(context_.machine.view(), selected_));
+    WindowSettings{*context_.settings}.set_zero(context_.machine.options().segment_name, selected_,
+                                                zero_.of(selected_));
     refresh();
 }
 
 // Y alone may always go to its switch; the other axes alone need a core's look at the heads first.
 void PositionPanel::home_selected() {
     const session::Phrase name = session::phrase("Home %1", session::axis_letter(selected_));
-    if (selected_ == Axis::y) return bench_.machine.order(CommandKind::reset_height, name);
+    if (selected_ == Axis::y) return context_.machine.order(CommandKind::reset_height, name);
     Command command{};
     command.kind = CommandKind::home;
     command.axis = 1U << index_of(selected_);
-    bench_.machine.order(command, name);
+    context_.machine.order(command, name);
 }
 
 void PositionPanel::refresh_row(Axis axis) {
-    const session::MachineSight& sight = bench_.shown();
+    const session::MachineView& view = context_.shown();
     Row& row = rows_[index_of(axis)];
-    const session::AxisReadout readout = session::axis_readout(sight, axis);
+    const session::AxisReadout readout = session::axis_readout(view, axis);
     row.value->setText(QString::fromStdString(readout.value));
     const bool is_in_pulses = readout.unit == "pulses";
     row.unit->setText(is_in_pulses ? tr("pul.") : QString::fromStdString(readout.unit));
     row.unit->setFixedWidth(std::max(kUnitWidth, row.unit->sizeHint().width()));
     set_styled(row.value, "long", is_in_pulses ? "yes" : "no");
-    row.value->setToolTip(words(session::commanded_and_actual(sight, axis)));
-    if (is_wide_) row.pulses->setText(words(session::pulses_phrase(sight, axis)));
-    const bool is_known = sight.is_heard() || !sight.status;
+    row.value->setToolTip(words(session::commanded_and_actual(view, axis)));
+    if (is_wide_) row.pulses->setText(words(session::pulses_phrase(view, axis)));
+    const bool is_known = view.is_heard() || !view.status;
     QFont font = row.value->font();
     if (font.strikeOut() == is_known) {
         font.setStrikeOut(!is_known);
@@ -224,7 +226,7 @@ void PositionPanel::refresh_row(Axis axis) {
     const QString usual[] = {tr("left"), tr("right"), words(readout.second), tr("height")};
     // A zero is the operator's, for the machine that is there.
     const auto distance =
-        bench_.replay.is_open() ? std::nullopt : session::from_zero(sight, axis, zero_.of(axis));
+        context_.replay.is_open() ? std::nullopt : session::from_zero(view, axis, zero_.of(axis));
     QString second = usual[index_of(axis)];
     if (distance) {
         const QString from_zero =
@@ -241,8 +243,8 @@ void PositionPanel::refresh_row(Axis axis) {
 
 /// What a core said before it was lost holds no longer: its guard switches drives off, hands move axes.
 bool PositionPanel::is_unheard() const {
-    const session::MachineSight& sight = bench_.shown();
-    return !bench_.replay.is_open() && sight.status && !sight.is_heard();
+    const session::MachineView& view = context_.shown();
+    return !context_.replay.is_open() && view.status && !view.is_heard();
 }
 
 void PositionPanel::refresh_homed(Axis axis, bool is_homed) {
@@ -254,10 +256,10 @@ void PositionPanel::refresh_homed(Axis axis, bool is_homed) {
 }
 
 void PositionPanel::refresh_lamps(Axis axis) {
-    const session::MachineSight& sight = bench_.shown();
+    const session::MachineView& view = context_.shown();
     Row& row = rows_[index_of(axis)];
     const QString letter = session::axis_letter(axis);
-    if (bench_.replay.is_open() && !bench_.replay.facts().knows_states) {
+    if (context_.replay.is_open() && !context_.replay.facts().knows_states) {
         row.homed->setText(QStringLiteral("\u2013"));
         row.homed->setAccessibleName(tr("%1: whether it was homed is not recorded").arg(letter));
         set_styled(row.homed, "lamp", "off");
@@ -266,7 +268,7 @@ void PositionPanel::refresh_lamps(Axis axis) {
         row.homed->setAccessibleName(tr("%1: whether it is homed is not known").arg(letter));
         set_styled(row.homed, "lamp", "unsure");
     } else {
-        refresh_homed(axis, sight.is_homed(axis));
+        refresh_homed(axis, view.is_homed(axis));
     }
     if (is_unheard()) {
         row.sensor->setText(axis == Axis::psi ? tr("? index") : tr("? limit"));
@@ -275,7 +277,7 @@ void PositionPanel::refresh_lamps(Axis axis) {
         set_styled(row.sensor, "lamp", "off");
         return;
     }
-    const bool is_active = sight.is_active(sensor_of(axis));
+    const bool is_active = view.is_active(sensor_of(axis));
     if (axis == Axis::psi) {
         row.sensor->setText(is_active ? tr("● index") : tr("○ index"));
         row.sensor->setAccessibleName(is_active ? tr("Ψ index: there") : tr("Ψ index: away"));

@@ -6,10 +6,10 @@
 #include <array>
 
 #include "hmi/session/axis_actions.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 namespace psicarve::ui {
 
@@ -21,7 +21,7 @@ class OrderCard;
 class PositionPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::PositionPanel)
 public:
-    explicit PositionPanel(Bench& bench, QWidget* parent = nullptr);
+    explicit PositionPanel(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -52,7 +52,7 @@ private:
     bool is_unheard() const;
     void refresh_homed(Axis axis, bool is_homed);
 
-    Bench& bench_;
+    WindowContext& context_;
     std::array<Row, kAxisCount> rows_{};
     Axis selected_ = Axis::r1;
     bool is_wide_ = false;

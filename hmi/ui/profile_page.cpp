@@ -37,8 +37,12 @@ QPushButton* push_button(const char* name, const QString& text) {
 
 }  // namespace
 
-ProfilePage::ProfilePage(Bench& bench, QWidget* parent)
-    : QWidget(parent), bench_(bench), desk_(bench.saves), list_(new QListWidget), area_(new QScrollArea) {
+ProfilePage::ProfilePage(WindowContext& context, QWidget* parent)
+    : QWidget(parent),
+      context_(context),
+      desk_(context.saves),
+      list_(new QListWidget),
+      area_(new QScrollArea) {
     setObjectName("profile_page");
     list_->setObjectName("profile_groups");
     list_->setAccessibleName(tr("Parts of the profile"));
@@ -91,7 +95,7 @@ QWidget* ProfilePage::make_head() {
         leave_room_for_bold(*filter);
     }
     calibrate_ = new ActionButton{
-        [this](const Bench&) -> std::optional<session::Phrase> {
+        [this](const WindowContext&) -> std::optional<session::Phrase> {
             if (const auto busy = busy_lock()) return busy;
             if (draft().path().empty())
                 return session::phrase(
@@ -250,8 +254,8 @@ void ProfilePage::explain(std::size_t key) {
 // What may be saved while the machine moves would not be what it moves by.
 QString ProfilePage::lock() const {
     if (const auto busy = busy_lock()) return words(*busy);
-    const auto& sight = bench_.machine.sight();
-    if (sight.is_heard() && !is_at_rest(sight.state())) return tr("Save: the machine moves");
+    const auto& view = context_.machine.view();
+    if (view.is_heard() && !is_at_rest(view.state())) return tr("Save: the machine moves");
     const std::size_t problems = draft().problem_count();
     if (problems == 1) return tr("Save: one value is wrong");
     if (problems > 1) return tr("Save: %1 values are wrong").arg(problems);
@@ -284,7 +288,7 @@ void ProfilePage::show_locks() {
                          : !has_file     ? tr("Restore backup: the built-in profile has no file")
                          : !has_backup() ? tr("Restore backup: this file has none yet")
                                          : QString{});
-    calibrate_->refresh(bench_);
+    calibrate_->refresh(context_);
     const QString text = !reason.isEmpty() ? reason
                          : !has_file       ? tr("The built-in profile has no file: save it as one.")
                                            : restart_text();

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "hmi/session/profile_desk.hpp"
+#include "hmi/session/profile_files.hpp"
 #include "hmi/session/snapshot_compare.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QBoxLayout;
 class QLabel;
@@ -33,7 +33,7 @@ class ProfileRow;
 class ProfilePage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ProfilePage)
 public:
-    explicit ProfilePage(Bench& bench, QWidget* parent = nullptr);
+    explicit ProfilePage(WindowContext& context, QWidget* parent = nullptr);
     ~ProfilePage() override;
 
     void set_theme(const Tokens& tokens);
@@ -97,9 +97,9 @@ private:
     QString busy_text() const;
     QString unsaved_text() const;
 
-    Bench& bench_;
+    WindowContext& context_;
     const Tokens* tokens_ = nullptr;
-    session::ProfileDesk desk_;
+    session::ProfileFiles desk_;
     std::vector<Group> groups_;
     std::vector<std::string> core_values_;  ///< of profile_keys(), of the core that runs; empty: not known
     std::uint64_t core_hash_ = 0;           ///< of the profile that they are of

@@ -7,13 +7,13 @@
 namespace psicarve::ui {
 
 void ProfilePage::look_at_core() {
-    const session::MachineSight& sight = bench_.machine.sight();
+    const session::MachineView& view = context_.machine.view();
     // A job's profile has the machine's motion, not all of its keys.
-    const bool is_known = sight.is_heard() && sight.profile && !sight.is_profile_of_job;
+    const bool is_known = view.is_heard() && view.profile && !view.is_profile_of_job;
     if (!is_known && core_values_.empty()) return;
-    if (is_known && !core_values_.empty() && core_hash_ == sight.core_profile_hash) return;
-    core_values_ = is_known ? profile_values(*sight.profile) : std::vector<std::string>{};
-    core_hash_ = sight.core_profile_hash;
+    if (is_known && !core_values_.empty() && core_hash_ == view.core_profile_hash) return;
+    core_values_ = is_known ? profile_values(*view.profile) : std::vector<std::string>{};
+    core_hash_ = view.core_profile_hash;
     show_state();
 }
 

@@ -28,7 +28,7 @@ void ProfilePage::make_menus() {
     open_->setMenu(profiles);
     connect(profiles, &QMenu::aboutToShow, this, [this, profiles] {
         fill_profile_menu(
-            *profiles, WindowSettings{*bench_.settings}.recent_profiles(), bench_.presence,
+            *profiles, WindowSettings{*context_.settings}.recent_profiles(), context_.presence,
             [this] { ask_open(); },
             [this](const QString& path) {
                 if (may_lose_changes()) open(path);
@@ -43,7 +43,7 @@ void ProfilePage::make_menus() {
     backups->setObjectName("profile_backups_menu");
     restore_->setMenu(backups);
     connect(backups, &QMenu::aboutToShow, this, [this, backups] {
-        fill_backup_menu(*backups, draft().path(), bench_.presence, [this](const std::string& backup) {
+        fill_backup_menu(*backups, draft().path(), context_.presence, [this](const std::string& backup) {
             if (is_kept(busy_text())) return;
             desk_.take_backup(backup, [this](const Result<void>& taken) {
                 if (!taken) report(taken);
@@ -55,20 +55,20 @@ void ProfilePage::make_menus() {
 }
 
 bool ProfilePage::has_backup() const {
-    return bench_.presence.seen(profile::ProfileDraft::backup_path(draft().path())).state ==
+    return context_.presence.seen(profile::ProfileDraft::backup_path(draft().path())).state ==
            session::FilePresence::State::there;
 }
 
 /// By somebody else: disks may sleep.
 void ProfilePage::look_for_files() {
     std::vector<std::string> files;
-    for (const QString& path : WindowSettings{*bench_.settings}.recent_profiles())
+    for (const QString& path : WindowSettings{*context_.settings}.recent_profiles())
         files.push_back(path.toStdString());
     if (!draft().path().empty()) {
         for (std::string& backup : profile::ProfileDraft::backups_of(draft().path()))
             files.push_back(std::move(backup));
     }
-    bench_.presence.look(std::move(files));
+    context_.presence.look(std::move(files));
 }
 
 /// What keeps the page from anything that would get in the way of it.
@@ -84,14 +84,14 @@ QString ProfilePage::busy_text() const {
 
 /// Whether something is in the way, which is said: it may have begun while a dialog was open.
 bool ProfilePage::is_kept(const QString& reason) {
-    if (!reason.isEmpty()) bench_.log.add(Severity::warning, session::phrase("%1", reason.toStdString()));
+    if (!reason.isEmpty()) context_.log.add(Severity::warning, session::phrase("%1", reason.toStdString()));
     return !reason.isEmpty();
 }
 
 void ProfilePage::open(const QString& path) {
     if (is_kept(busy_text())) return;
     desk_.open(path.toStdString(), [this, path](const Result<void>& opened) {
-        if (opened) WindowSettings{*bench_.settings}.add_recent_profile(path);
+        if (opened) WindowSettings{*context_.settings}.add_recent_profile(path);
         show_opened(opened);
     });
     show_state();
@@ -105,7 +105,7 @@ void ProfilePage::open_again() {
 
 void ProfilePage::show_opened(const Result<void>& opened) {
     if (opened) return show_other();
-    bench_.log.add(Severity::warning, session::error_phrase(opened.error()));
+    context_.log.add(Severity::warning, session::error_phrase(opened.error()));
     show_state();
 }
 
@@ -116,10 +116,10 @@ void ProfilePage::show_other() {
 
 void ProfilePage::report(const Result<void>& saved) {
     if (saved) {
-        bench_.log.add(Severity::info, session::phrase("Profile saved: %1", draft().path()));
+        context_.log.add(Severity::info, session::phrase("Profile saved: %1", draft().path()));
     } else {
-        bench_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
-                                                          session::error_phrase(saved.error())));
+        context_.log.add(Severity::warning, session::joined(session::phrase("Profile not saved"),
+                                                            session::error_phrase(saved.error())));
     }
     look_for_files();
     show_changed();
@@ -159,18 +159,20 @@ void ProfilePage::save() {
 void ProfilePage::save_as(const QString& path) {
     if (is_kept(lock())) return;
     desk_.save_as(path.toStdString(), [this, path](const Result<void>& saved) {
-        if (saved) WindowSettings{*bench_.settings}.add_recent_profile(path);
+        if (saved) WindowSettings{*context_.settings}.add_recent_profile(path);
         report(saved);
     });
     show_state();
 }
 
 void ProfilePage::calibrate() {
-    if (!calibrate_->refresh(bench_).isEmpty())
-        return bench_.log.add(Severity::warning, session::phrase("%1", calibrate_->reason().toStdString()));
+    if (!calibrate_->refresh(context_).isEmpty())
+        return context_.log.add(Severity::warning, session::phrase("%1", calibrate_->reason().toStdString()));
     if (calibration_ == nullptr) {
         calibration_ = new CalibrationDialog{
-            bench_, {.lock = [this] { return desk_.lock(); }, .written = [this] { open_again(); }}, window()};
+            context_,
+            {.lock = [this] { return desk_.lock(); }, .written = [this] { open_again(); }},
+            window()};
     }
     calibration_->open_for(draft().path());
     show_state();

@@ -81,7 +81,7 @@ void tell_of_crash(MainWindow& window, GlTrial& trial) {
     const auto is_told = [&window, &trial] {
         const auto has_crashed = trial.has_crashed_before(std::chrono::milliseconds{0});
         if (has_crashed.value_or(false)) {
-            window.bench().log.add(
+            window.context().log.add(
                 session::Severity::warning,
                 session::phrase("OpenGL took the window down the last time: drawing without it"),
                 session::phrase("psicarve-hmi --opengl tries it again"));
@@ -100,7 +100,7 @@ void tell_of_crash(MainWindow& window, GlTrial& trial) {
 void take_away(std::unique_ptr<MainWindow> window, std::unique_ptr<GlTrial> trial, int exit_code) {
     window->hide();
     QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
-    const session::DepartureWatch watch{window->bench().saves, [exit_code](bool is_lost) {
+    const session::DepartureWatch watch{window->context().saves, [exit_code](bool is_lost) {
                                             std::fflush(stdout);
                                             std::_Exit(is_lost ? kExitNotSaved : exit_code);
                                         }};

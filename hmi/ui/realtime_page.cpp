@@ -37,13 +37,13 @@ void say(QLabel* label, const QString& text) {
 
 }  // namespace
 
-RealtimePage::RealtimePage(Bench& bench, QWidget* parent)
+RealtimePage::RealtimePage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
+      context_(context),
       facts_(new QGridLayout),
       table_(new ComputerTable),
       histogram_(new HistogramView),
-      latency_(new LatencyPanel{bench}),
+      latency_(new LatencyPanel{context}),
       verdict_(role_label("title")) {
     setObjectName("realtime_page");
     verdict_->setObjectName("realtime_verdict");
@@ -158,8 +158,8 @@ void RealtimePage::show(Shown what) {
     table_->setVisible(what != Shown::measurement);
     latency_->setVisible(what == Shown::measurement);
     table_->setMaximumHeight(what == Shown::core_steps ? kRealtimePageTableHeight : QWIDGETSIZE_MAX);
-    if (what == Shown::computer && lane_.is_idle()) {
-        lane_.post([this]() -> session::WorkLane::Finish {
+    if (what == Shown::computer && queue_.is_idle()) {
+        queue_.post([this]() -> session::BackgroundQueue::Finish {
             const auto findings = doctor::check_all(doctor::SystemFiles{});
             return [this, findings] { findings_ = session::finding_rows(findings); };
         });
@@ -200,23 +200,23 @@ void RealtimePage::show_lateness(const CoreStatus& status, const session::TickHe
 }
 
 void RealtimePage::refresh() {
-    lane_.deliver();
+    queue_.deliver();
     latency_->refresh();
-    const auto& sight = bench_.machine.sight();
-    if (isVisible()) refresh_table(sight.status ? &*sight.status : nullptr);
-    if (!sight.status) {
+    const auto& view = context_.machine.view();
+    if (isVisible()) refresh_table(view.status ? &*view.status : nullptr);
+    if (!view.status) {
         say(verdict_, tr("No core has been seen yet"));
         return;
     }
-    const CoreStatus& status = *sight.status;
-    if (sight.core_pid != core_pid_) rates_.forget();
-    core_pid_ = sight.core_pid;
+    const CoreStatus& status = *view.status;
+    if (view.core_pid != core_pid_) rates_.forget();
+    core_pid_ = view.core_pid;
     rates_.note(status, session::RateMeter::Clock::now());
     if (!isVisible()) return;
     const session::TickHealth health = session::tick_health(status);
-    if (bench_.replay.is_open()) {
+    if (context_.replay.is_open()) {
         say(verdict_, tr("The live machine, not the recording"));
-    } else if (!sight.is_heard()) {
+    } else if (!view.is_heard()) {
         say(verdict_, tr("No core: these are the last figures known"));
     } else if (status.is_virtual_clock != 0) {
         say(verdict_, tr("The core runs on a virtual clock: no tick is ever late"));

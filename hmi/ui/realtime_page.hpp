@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/computer_rows.hpp"
 #include "hmi/session/tick_health.hpp"
-#include "hmi/session/work_lane.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QBoxLayout;
 class QGridLayout;
@@ -29,7 +29,7 @@ class LatencyPanel;
 class RealtimePage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::RealtimePage)
 public:
-    explicit RealtimePage(Bench& bench, QWidget* parent = nullptr);
+    explicit RealtimePage(WindowContext& context, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -47,7 +47,7 @@ private:
     void show_lateness(const CoreStatus& status, const session::TickHealth& health);
     void refresh_table(const CoreStatus* status);
 
-    Bench& bench_;
+    WindowContext& context_;
     QGridLayout* facts_;
     QBoxLayout* choice_ = nullptr;
     std::vector<std::pair<QLabel*, QLabel*>> pairs_;  ///< title and value, as they are read
@@ -73,7 +73,7 @@ private:
     QLabel* pulses_ = nullptr;
     QLabel* waited_ = nullptr;
     QLabel* faults_ = nullptr;
-    session::WorkLane lane_;  ///< last: its thread uses the others
+    session::BackgroundQueue queue_;  ///< last: its thread uses the others
 };
 
 }  // namespace psicarve::ui

@@ -9,9 +9,9 @@
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
-RefusalBar::RefusalBar(Bench& bench, QWidget* parent)
+RefusalBar::RefusalBar(WindowContext& context, QWidget* parent)
     : NoticeBar("refusal", Glyph::triangle, parent),
-      bench_(bench),
+      context_(context),
       why_(add_text("why")),
       stays_(add_text("stays")) {
     auto* read = new QPushButton{tr("Acknowledge")};
@@ -19,7 +19,7 @@ RefusalBar::RefusalBar(Bench& bench, QWidget* parent)
     read->setFocusPolicy(Qt::TabFocus);
     read->setToolTip(tr("Takes this away once it was read; it moves and stops nothing"));
     connect(read, &QPushButton::clicked, this, [this] {
-        bench_.forget_refused_file();
+        context_.forget_refused_file();
         refresh();
     });
     add_button(read);
@@ -38,15 +38,16 @@ QString RefusalBar::why_of(const session::RefusedFile& refused) {
 
 /// Somebody who expects another file on the machine is to know what is there.
 QString RefusalBar::what_stays() const {
-    if (const auto job = bench_.desk.core_job(); job && !bench_.replay.is_open())
+    if (const auto job = context_.open_job.core_job(); job && !context_.replay.is_open())
         return breakable(tr("The machine still has its job of before: Start carves %1.")
                              .arg(QString::fromStdString(std::string{job->view.source_name()})));
-    const std::string open = bench_.replay.is_open() ? bench_.replay.facts().path : bench_.desk.path();
+    const std::string open =
+        context_.replay.is_open() ? context_.replay.facts().path : context_.open_job.path();
     return open.empty() ? QString{} : breakable(tr("Still open: %1").arg(short_file_name(open)));
 }
 
 void RefusalBar::refresh() {
-    const session::RefusedFile* const refused = bench_.refused_file();
+    const session::RefusedFile* const refused = context_.refused_file();
     set_shown(refused != nullptr);
     if (refused == nullptr) return;
     show_text(title(), title_of(*refused));

@@ -3,8 +3,8 @@
 
 #include <QCoreApplication>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/notice_bar.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 
@@ -15,7 +15,7 @@ namespace psicarve::ui {
 class RefusalBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::RefusalBar)
 public:
-    explicit RefusalBar(Bench& bench, QWidget* parent = nullptr);
+    explicit RefusalBar(WindowContext& context, QWidget* parent = nullptr);
 
     void refresh() override;
     static QString title_of(const session::RefusedFile& refused);
@@ -25,7 +25,7 @@ public:
 private:
     QString what_stays() const;
 
-    Bench& bench_;
+    WindowContext& context_;
     QLabel* why_;
     QLabel* stays_;
 };

@@ -67,10 +67,10 @@ void RefusalCard::set_theme(const Tokens& tokens) {
     icon_->setPixmap(glyph_pixmap(Glyph::triangle, kCardIconSide, tokens.warn));
 }
 
-void RefusalCard::show_refusal(const session::DeskRefusal* refusal, const QString& lock) {
+void RefusalCard::show_refusal(const session::OpenJobRefusal* refusal, const QString& lock) {
     if (isHidden() == (refusal != nullptr)) setVisible(refusal != nullptr);
     if (refusal == nullptr) return;
-    const bool is_slicing = refusal->of == session::DeskRefusal::Of::slicing;
+    const bool is_slicing = refusal->of == session::OpenJobRefusal::Of::slicing;
     title_->setText(is_slicing ? tr("Not sliced") : tr("Not published"));
     QString why = words(refusal->why);
     const QString name = QString::fromStdString(refusal->name) + ": ";

@@ -25,7 +25,7 @@ public:
 
     void set_theme(const Tokens& tokens);
     /// Null: nothing was refused. `lock`: why no remedy can be taken now; empty: any can.
-    void show_refusal(const session::DeskRefusal* refusal, const QString& lock);
+    void show_refusal(const session::OpenJobRefusal* refusal, const QString& lock);
 
 private:
     struct Offer {

@@ -28,9 +28,12 @@ QString text_of(std::int64_t time_ns) {
 
 }  // namespace
 
-ReplayBar::ReplayBar(Bench& bench, std::function<void()> choose_job, std::function<void()> verify,
+ReplayBar::ReplayBar(WindowContext& context, std::function<void()> choose_job, std::function<void()> verify,
                      QWidget* parent)
-    : QFrame(parent), bench_(bench), choose_job_(std::move(choose_job)), verify_trace_(std::move(verify)) {
+    : QFrame(parent),
+      context_(context),
+      choose_job_(std::move(choose_job)),
+      verify_trace_(std::move(verify)) {
     setObjectName("replay_bar");
     setProperty("dock", true);
     opening_ = make_opening();
@@ -69,29 +72,29 @@ QWidget* ReplayBar::make_opening() {
     row->addWidget(role_label("label", tr("Reading the recording")));
     row->addWidget(progress_, 1);
     add_button(*row, "replay_cancel", tr("Cancel reading"), [this] {
-        bench_.replay.cancel();
+        context_.replay.cancel();
     })->setText(tr("Cancel"));
     return widget;
 }
 
 QWidget* ReplayBar::make_controls() {
-    replay::ReplayDesk& desk = bench_.replay;
+    replay::ReplaySession& replay = context_.replay;
     auto* widget = new QWidget;
     auto* row = new QHBoxLayout;
     row->setSpacing(kSmallGap);
-    begin_ = add_button(*row, "replay_begin", tr("To the begin"), [&desk] { desk.clock().seek(0); });
+    begin_ = add_button(*row, "replay_begin", tr("To the begin"), [&replay] { replay.clock().seek(0); });
     before_ = add_button(*row, "replay_before", tr("To the entry before (Shift+N)"),
                          [this] { go_to_entry_before(); });
     play_ = add_button(*row, "replay_play", tr("Play or pause (K)"), [this] { play_or_pause(); });
     play_->setFixedWidth(kPlayWidth);
     next_ = add_button(*row, "replay_next", tr("To the next entry (N)"), [this] { go_to_next_entry(); });
     end_ = add_button(*row, "replay_end", tr("To the end"),
-                      [&desk] { desk.clock().seek(desk.clock().end_ns()); });
+                      [&replay] { replay.clock().seek(replay.clock().end_ns()); });
     row->addSpacing(kGap);
     for (const double speed : replay::kReplaySpeeds) {
         const QString text = QStringLiteral("%1\u00D7").arg(speed);
         QPushButton* button = add_button(*row, "", tr("Speed %1 (J slower, L faster)").arg(text),
-                                         [&desk, speed] { desk.clock().set_speed(speed); });
+                                         [&replay, speed] { replay.clock().set_speed(speed); });
         button->setObjectName(QStringLiteral("replay_speed_%1").arg(speed));
         button->setText(text);
         button->setCheckable(true);
@@ -115,12 +118,12 @@ QWidget* ReplayBar::make_controls() {
     foot->addWidget(place_);
     job_ = add_button(*foot, "replay_job", {}, [this] { use_job(); });
     verify_ = add_button(*foot, "replay_verify", {}, [this] { verify_trace_(); });
-    leave_ = add_button(*foot, "replay_leave", tr("Back to the machine"), [&desk] { desk.leave(); });
+    leave_ = add_button(*foot, "replay_leave", tr("Back to the machine"), [&replay] { replay.leave(); });
     leave_->setText(tr("Leave replay"));
     warnings_ = role_label("problem");
     warnings_->setObjectName("replay_warnings");
     warnings_->setWordWrap(true);
-    timeline_ = new TimelineView{desk};
+    timeline_ = new TimelineView{replay};
     auto* all = new QVBoxLayout{widget};
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(kSmallGap);
@@ -132,13 +135,13 @@ QWidget* ReplayBar::make_controls() {
 }
 
 void ReplayBar::use_job() {
-    if (bench_.replay.facts().knows_every_pulse) return choose_job_();
-    const std::string path = bench_.replay.facts().path;
-    bench_.desk.open_job(path);
+    if (context_.replay.facts().knows_every_pulse) return choose_job_();
+    const std::string path = context_.replay.facts().path;
+    context_.open_job.open_job(path);
 }
 
 void ReplayBar::play_or_pause() {
-    replay::ReplayClock& clock = bench_.replay.clock();
+    replay::ReplayClock& clock = context_.replay.clock();
     if (clock.is_playing()) {
         clock.pause();
     } else {
@@ -147,15 +150,15 @@ void ReplayBar::play_or_pause() {
 }
 
 void ReplayBar::go_to_next_entry() {
-    const auto& entries = bench_.replay.facts().entries;
-    const int next = replay::next_entry(entries, bench_.replay.clock().now_ns());
-    if (next >= 0) bench_.replay.clock().seek(entries[static_cast<std::size_t>(next)].time_ns);
+    const auto& entries = context_.replay.facts().entries;
+    const int next = replay::next_entry(entries, context_.replay.clock().now_ns());
+    if (next >= 0) context_.replay.clock().seek(entries[static_cast<std::size_t>(next)].time_ns);
 }
 
 void ReplayBar::go_to_entry_before() {
-    const auto& entries = bench_.replay.facts().entries;
-    const int before = replay::entry_before(entries, bench_.replay.clock().now_ns());
-    if (before >= 0) bench_.replay.clock().seek(entries[static_cast<std::size_t>(before)].time_ns);
+    const auto& entries = context_.replay.facts().entries;
+    const int before = replay::entry_before(entries, context_.replay.clock().now_ns());
+    if (before >= 0) context_.replay.clock().seek(entries[static_cast<std::size_t>(before)].time_ns);
 }
 
 void ReplayBar::set_theme(const Tokens& tokens) {
@@ -164,20 +167,20 @@ void ReplayBar::set_theme(const Tokens& tokens) {
     before_->setIcon(glyph_icon(Glyph::entry_before, tokens.text, tokens.dis));
     next_->setIcon(glyph_icon(Glyph::next_entry, tokens.text, tokens.dis));
     end_->setIcon(glyph_icon(Glyph::to_end, tokens.text, tokens.dis));
-    shown_playing_ = !bench_.replay.clock().is_playing();
+    shown_playing_ = !context_.replay.clock().is_playing();
     timeline_->set_theme(tokens);
     refresh();
 }
 
 void ReplayBar::refresh() {
-    const bool is_opening = bench_.replay.is_opening();
-    const bool is_open = bench_.replay.is_open();
+    const bool is_opening = context_.replay.is_opening();
+    const bool is_open = context_.replay.is_open();
     if (isHidden() == (is_opening || is_open)) setVisible(is_opening || is_open);
     if (opening_->isHidden() == is_opening) opening_->setVisible(is_opening);
     if (controls_->isHidden() == is_open) controls_->setVisible(is_open);
-    if (is_opening) progress_->setValue(static_cast<int>(kProgressSteps * bench_.replay.progress_ratio()));
+    if (is_opening) progress_->setValue(static_cast<int>(kProgressSteps * context_.replay.progress_ratio()));
     if (!is_open || tokens_ == nullptr) return;
-    const replay::ReplayClock& clock = bench_.replay.clock();
+    const replay::ReplayClock& clock = context_.replay.clock();
     if (shown_playing_ != clock.is_playing()) {
         shown_playing_ = clock.is_playing();
         play_->setText(shown_playing_ ? tr("Pause") : tr("Play"));
@@ -187,9 +190,9 @@ void ReplayBar::refresh() {
         speeds_[i]->setChecked(clock.speed() == replay::kReplaySpeeds[i]);
     time_->setText(text_of(clock.now_ns()));
     of_->setText(tr("of %1").arg(text_of(clock.end_ns())));
-    const bool is_trace = bench_.replay.facts().knows_every_pulse;
+    const bool is_trace = context_.replay.facts().knows_every_pulse;
     job_->setText(is_trace ? tr("Add its job\u2026") : tr("Open its job"));
-    const bool has_job = bench_.replay.facts().job != nullptr;
+    const bool has_job = context_.replay.facts().job != nullptr;
     lock_with(*job_, is_trace || has_job ? QString{} : tr("Open its job: this snapshot has none"),
               is_trace ? tr("The job or snapshot that this trace belongs to")
                        : tr("Leaves replay and opens the job in this snapshot"));
@@ -201,17 +204,17 @@ void ReplayBar::refresh() {
 
 /// Page Messages has the recording's own entries now.
 void ReplayBar::refresh_warnings() {
-    if (shown_edition_ == bench_.replay.edition()) return;
-    shown_edition_ = bench_.replay.edition();
+    if (shown_edition_ == context_.replay.edition()) return;
+    shown_edition_ = context_.replay.edition();
     QStringList lines;
-    for (const session::Phrase& warning : bench_.replay.facts().warnings) lines += words(warning);
+    for (const session::Phrase& warning : context_.replay.facts().warnings) lines += words(warning);
     warnings_->setText(lines.join('\n'));
     warnings_->setVisible(!lines.isEmpty());
 }
 
 void ReplayBar::refresh_verify() {
-    const auto& facts = bench_.replay.facts();
-    const bool is_judging = bench_.judge.is_judging();
+    const auto& facts = context_.replay.facts();
+    const bool is_judging = context_.judge.is_judging();
     verify_->setVisible(facts.knows_every_pulse);
     verify_->setText(is_judging ? tr("Cancel verification") : tr("Verify"));
     lock_with(*verify_, is_judging || facts.job ? QString{} : tr("Verify: add its job first"),
@@ -220,18 +223,18 @@ void ReplayBar::refresh_verify() {
 }
 
 QString ReplayBar::state_words() const {
-    const session::MachineSight& sight = bench_.replay.sight();
-    if (!sight.status) return {};
-    if (bench_.replay.facts().knows_states) return words(session::state_text(sight, 0).word);
-    const bool has_drives = (sight.status->signals & kEnableMask) != 0;
-    const bool has_spindle = sight.is_active(Signal::spindle);
+    const session::MachineView& machine_view = context_.replay.view();
+    if (!machine_view.status) return {};
+    if (context_.replay.facts().knows_states) return words(session::state_text(machine_view, 0).word);
+    const bool has_drives = (machine_view.status->signals & kEnableMask) != 0;
+    const bool has_spindle = machine_view.is_active(Signal::spindle);
     if (!has_drives) return tr("Drives are off");
     return has_spindle ? tr("Drives and spindle on") : tr("Drives on, spindle off");
 }
 
 void ReplayBar::refresh_words() {
-    const auto& entries = bench_.replay.facts().entries;
-    const int last = replay::entry_at(entries, bench_.replay.clock().now_ns());
+    const auto& entries = context_.replay.facts().entries;
+    const int last = replay::entry_at(entries, context_.replay.clock().now_ns());
     QString text = state_words();
     if (last >= 0) {
         const replay::Entry& entry = entries[static_cast<std::size_t>(last)];
@@ -239,8 +242,8 @@ void ReplayBar::refresh_words() {
     }
     moment_->setText(moment_->fontMetrics().elidedText(text, Qt::ElideRight, moment_->width()));
     moment_->setToolTip(text);
-    const auto& place = bench_.replay.shown().place;
-    const auto& job = bench_.replay.facts().job;
+    const auto& place = context_.replay.shown().place;
+    const auto& job = context_.replay.facts().job;
     place_->setText(place && job ? tr("Layer %1 / %2, point %3 / %4")
                                        .arg(place->layer + 1)
                                        .arg(job->view.layer_count())

@@ -7,9 +7,9 @@
 #include <functional>
 #include <vector>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/icon.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QHBoxLayout;
 class QLabel;
@@ -25,7 +25,7 @@ class ReplayBar : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ReplayBar)
 public:
     /// `choose_job` asks for a trace's job, `verify` holds the trace against it.
-    ReplayBar(Bench& bench, std::function<void()> choose_job, std::function<void()> verify,
+    ReplayBar(WindowContext& context, std::function<void()> choose_job, std::function<void()> verify,
               QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
@@ -47,7 +47,7 @@ private:
     void refresh_warnings();
     QString state_words() const;
 
-    Bench& bench_;
+    WindowContext& context_;
     std::function<void()> choose_job_;
     std::function<void()> verify_trace_;
     const Tokens* tokens_ = nullptr;

@@ -17,7 +17,7 @@
 namespace psicarve::ui {
 
 ReportDialog::ReportDialog(const session::RunWatch& runs, std::shared_ptr<const cam::PreparedJob> job,
-                           std::optional<verify::VerifyReport> verdict, session::FileDesk& files,
+                           std::optional<verify::VerifyReport> verdict, session::FileSaver& files,
                            QWidget* parent)
     : QDialog(parent), run_(*runs.run()), verdict_(std::move(verdict)), job_(std::move(job)), files_(files) {
     setObjectName("report");

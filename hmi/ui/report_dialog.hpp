@@ -9,7 +9,7 @@
 
 #include "hmi/cam/prepared_job.hpp"
 #include "hmi/machine/job_run.hpp"
-#include "hmi/session/file_desk.hpp"
+#include "hmi/session/file_saver.hpp"
 #include "hmi/session/run_watch.hpp"
 #include "hmi/verify/verify_report.hpp"
 
@@ -21,7 +21,7 @@ class ReportDialog : public QDialog {
 public:
     /// Of the run that `runs` tells of; there must be one.
     ReportDialog(const session::RunWatch& runs, std::shared_ptr<const cam::PreparedJob> job,
-                 std::optional<verify::VerifyReport> verdict, session::FileDesk& files, QWidget* parent);
+                 std::optional<verify::VerifyReport> verdict, session::FileSaver& files, QWidget* parent);
 
     /// The same JSON as `psicarve carve --json`. Says how it went in the messages.
     void save(const QString& path);
@@ -30,7 +30,7 @@ private:
     machine::JobRun run_;
     std::optional<verify::VerifyReport> verdict_;
     std::shared_ptr<const cam::PreparedJob> job_;
-    session::FileDesk& files_;
+    session::FileSaver& files_;
 };
 
 }  // namespace psicarve::ui

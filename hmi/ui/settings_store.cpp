@@ -62,9 +62,9 @@ struct SettingsStore::Arrival {
     std::optional<QVariantMap> read;
 };
 
-SettingsStore::SettingsStore(SettingsFile file, session::SaveLedger saves)
+SettingsStore::SettingsStore(SettingsFile file, session::PendingSaves saves)
     : file_(std::move(file)), saves_(std::move(saves)), arrival_(std::make_shared<Arrival>()) {
-    lane_.post([arrival = arrival_, read = file_.read]() -> session::WorkLane::Finish {
+    queue_.post([arrival = arrival_, read = file_.read]() -> session::BackgroundQueue::Finish {
         QVariantMap values = read();
         {
             const std::lock_guard lock{arrival->mutex};
@@ -77,7 +77,7 @@ SettingsStore::SettingsStore(SettingsFile file, session::SaveLedger saves)
 
 SettingsStore::~SettingsStore() {
     write();
-    lane_.finish();
+    queue_.finish();
 }
 
 bool SettingsStore::await_read(std::chrono::milliseconds limit) {
@@ -108,7 +108,7 @@ void SettingsStore::change(SettingsChange change) {
 
 void SettingsStore::poll() {
     if (!is_read_ && await_read(std::chrono::milliseconds{0}) && on_read_) on_read_();
-    lane_.deliver();
+    queue_.deliver();
     const auto saves = saves_.under_way();
     const auto own = std::count_if(saves.begin(), saves.end(),
                                    [this](const auto& save) { return save.path == file_.path; });
@@ -117,12 +117,12 @@ void SettingsStore::poll() {
 
 void SettingsStore::write() {
     if (unwritten_.empty()) return;
-    lane_.post(saves_.noted(file_.path,
-                            [this, changes = std::exchange(unwritten_, {})]() -> session::WorkLane::Finish {
-                                const auto written = file_.write(changes);
-                                if (written) return {};
-                                return [this, why = written.error()] { complain(why); };
-                            }));
+    queue_.post(saves_.noted(
+        file_.path, [this, changes = std::exchange(unwritten_, {})]() -> session::BackgroundQueue::Finish {
+            const auto written = file_.write(changes);
+            if (written) return {};
+            return [this, why = written.error()] { complain(why); };
+        }));
 }
 
 void SettingsStore::complain(const Error& why) {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/session/save_ledger.hpp"
-#include "hmi/session/work_lane.hpp"
+#include "hmi/session/background_queue.hpp"
+#include "hmi/session/pending_saves.hpp"
 #include "shared/base/result.hpp"
 
 namespace psicarve::ui {
@@ -40,7 +40,7 @@ SettingsFile settings_file();
 /// thread. One thread, the owner's.
 class SettingsStore {
 public:
-    explicit SettingsStore(SettingsFile file = settings_file(), session::SaveLedger saves = {});
+    explicit SettingsStore(SettingsFile file = settings_file(), session::PendingSaves saves = {});
     /// What was changed is written, however long it takes.
     ~SettingsStore();
     SettingsStore(const SettingsStore&) = delete;
@@ -62,7 +62,7 @@ public:
     void set_on_unwritten(std::function<void(const Error&)> unwritten) {
         on_unwritten_ = std::move(unwritten);
     }
-    session::SaveLedger saves() const { return saves_; }
+    session::PendingSaves saves() const { return saves_; }
 
 private:
     struct Arrival;
@@ -72,7 +72,7 @@ private:
     void complain(const Error& why);
 
     SettingsFile file_;
-    session::SaveLedger saves_;
+    session::PendingSaves saves_;
     QVariantMap values_;
     bool is_read_ = false;
     std::vector<SettingsChange> before_read_;
@@ -81,7 +81,7 @@ private:
     std::function<void(const Error&)> on_unwritten_;
     bool has_complained_ = false;
     std::shared_ptr<Arrival> arrival_;
-    session::WorkLane lane_;  // last: its thread uses the others
+    session::BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 }  // namespace psicarve::ui

@@ -52,11 +52,11 @@ FirstPlace first_place(QSize screen) {
     return {size, room_in(size) == Room::small && room_in(screen) != Room::small};
 }
 
-MotionBlock::MotionBlock(Bench& bench)
-    : bench_(bench),
-      buttons_(make_motion_buttons(bench)),
+MotionBlock::MotionBlock(WindowContext& context)
+    : context_(context),
+      buttons_(make_motion_buttons(context)),
       reason_(role_label("label")),
-      refused_(new OrderCard{bench, session::OrderPlace::job, "motion", OrderCard::Shape::high, this}) {
+      refused_(new OrderCard{context, session::OrderPlace::job, "motion", OrderCard::Shape::high, this}) {
     setObjectName("motion");
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins(0, 0, 0, 0);
@@ -86,12 +86,12 @@ void MotionBlock::set_theme(const Tokens& tokens) {
 }
 
 void MotionBlock::refresh() {
-    show_what_starts(*buttons_.start, bench_);
-    for (ActionButton* button : buttons_.all()) button->refresh(bench_);
+    show_what_starts(*buttons_.start, context_);
+    for (ActionButton* button : buttons_.all()) button->refresh(context_);
     // Start is locked in a recording.
     const QString to_look_at =
         buttons_.start->isEnabled() && isVisible()
-            ? to_look_at_in(session::preflight_checks(bench_.machine.sight(), bench_.desk.sight()))
+            ? to_look_at_in(session::preflight_checks(context_.machine.view(), context_.open_job.view()))
             : QString{};
     const QString reason = said_beside(buttons_, to_look_at);
     // Where there is room for it Start stands in the Job panel, which has one of its own.
@@ -104,7 +104,7 @@ void MotionBlock::refresh() {
     if (reason_->text() != shown) reason_->setText(shown);
 }
 
-SidePanels::SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* job)
+SidePanels::SidePanels(WindowContext& context, QWidget* position, QWidget* jog, QWidget* job)
     : panels_{position, jog, job},
       left_(new QWidget),
       right_(new QWidget),
@@ -112,7 +112,7 @@ SidePanels::SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* j
       right_column_(column_in(right_)),
       names_(new QTabBar{left_}),
       stack_(new QStackedWidget{left_}),
-      buttons_(new MotionBlock{bench}) {
+      buttons_(new MotionBlock{context}) {
     names_->setObjectName("side_names");
     names_->setDrawBase(false);
     stack_->setObjectName("side_pages");

@@ -8,9 +8,9 @@
 #include <functional>
 #include <memory>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/motion_buttons.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QScrollArea;
@@ -44,13 +44,13 @@ FirstPlace first_place(QSize screen);
 /// Start, Hold, Resume and Stop where the job's panel is a page that may be hidden, and why they are locked.
 class MotionBlock : public QWidget {
 public:
-    explicit MotionBlock(Bench& bench);
+    explicit MotionBlock(WindowContext& context);
 
     void set_theme(const Tokens& tokens);
     void refresh();
 
 private:
-    Bench& bench_;
+    WindowContext& context_;
     MotionButtons buttons_;
     QLabel* reason_;
     OrderCard* refused_;
@@ -62,7 +62,7 @@ class SidePanels {
 public:
     static constexpr std::size_t kCount = 3;
 
-    SidePanels(Bench& bench, QWidget* position, QWidget* jog, QWidget* job);
+    SidePanels(WindowContext& context, QWidget* position, QWidget* jog, QWidget* job);
     ~SidePanels();
 
     QWidget& left() noexcept { return *left_; }

@@ -17,25 +17,25 @@ namespace psicarve::ui {
 namespace {
 
 using session::Action;
-using session::DeskState;
+using session::OpenJobState;
 
 constexpr int kSlicingSteps = 1000;
 
-QString state_words(DeskState state) {
+QString state_words(OpenJobState state) {
     switch (state) {
-        case DeskState::empty:
+        case OpenJobState::empty:
             return SlicingPanel::tr("Nothing is open.");
-        case DeskState::opening:
+        case OpenJobState::opening:
             return SlicingPanel::tr("Reading the file …");
-        case DeskState::model:
+        case OpenJobState::model:
             return SlicingPanel::tr("Not sliced yet.");
-        case DeskState::slicing:
+        case OpenJobState::slicing:
             return SlicingPanel::tr("Slicing …");
-        case DeskState::job:
+        case OpenJobState::job:
             return SlicingPanel::tr("The job is ready to be published.");
-        case DeskState::publishing:
+        case OpenJobState::publishing:
             return SlicingPanel::tr("Publishing …");
-        case DeskState::published:
+        case OpenJobState::published:
             return SlicingPanel::tr("The core has this job.");
     }
     return {};
@@ -43,7 +43,8 @@ QString state_words(DeskState state) {
 
 }  // namespace
 
-SlicingPanel::SlicingPanel(Bench& bench, Acts acts, QWidget* parent) : QWidget(parent), bench_(bench) {
+SlicingPanel::SlicingPanel(WindowContext& context, Acts acts, QWidget* parent)
+    : QWidget(parent), context_(context) {
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins(0, 0, 0, 0);
     refusal_ = new RefusalCard{std::move(acts.remedy)};
@@ -71,7 +72,7 @@ void SlicingPanel::add_state(QVBoxLayout& column, const std::function<void()>& r
     cancel_ = new QPushButton{tr("Cancel")};
     cancel_->setObjectName("cancel");
     cancel_->setFocusPolicy(Qt::TabFocus);
-    connect(cancel_, &QPushButton::clicked, this, [this] { bench_.desk.cancel(); });
+    connect(cancel_, &QPushButton::clicked, this, [this] { context_.open_job.cancel(); });
     for (QWidget* part : {static_cast<QWidget*>(state_), static_cast<QWidget*>(reload_),
                           static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)})
         column.addWidget(part);
@@ -82,7 +83,7 @@ void SlicingPanel::add_buttons(QVBoxLayout& column, std::function<void()> slice)
     slice_->setObjectName("slice");
     slice_->set_hint(tr("Makes the job's tables (F5)"));
     slice_->setShortcut(Qt::Key_F5);
-    publish_ = new ActionButton{Action::publish, tr("Publish"), [this] { bench_.desk.publish(); }};
+    publish_ = new ActionButton{Action::publish, tr("Publish"), [this] { context_.open_job.publish(); }};
     publish_->setObjectName("publish");
     publish_->set_hint(tr("Gives the job to the core, which checks it"));
     auto* buttons = new QHBoxLayout;
@@ -93,15 +94,15 @@ void SlicingPanel::add_buttons(QVBoxLayout& column, std::function<void()> slice)
 }
 
 void SlicingPanel::refresh(bool is_stale) {
-    slice_->refresh(bench_);
-    publish_->refresh(bench_);
-    const session::JobSight& sight = bench_.desk.sight();
+    slice_->refresh(context_);
+    publish_->refresh(context_);
+    const session::OpenJobView& job_view = context_.open_job.view();
     state_->setText(is_stale ? tr("Changed since it was sliced: slice again to take it over.")
-                             : state_words(sight.state));
-    progress_->setVisible(sight.state == DeskState::slicing);
-    progress_->setValue(static_cast<int>(kSlicingSteps * bench_.desk.progress_ratio()));
-    cancel_->setVisible(sight.is_busy());
-    reload_->setVisible(bench_.desk.has_changed() && !sight.is_busy());
+                             : state_words(job_view.state));
+    progress_->setVisible(job_view.state == OpenJobState::slicing);
+    progress_->setValue(static_cast<int>(kSlicingSteps * context_.open_job.progress_ratio()));
+    cancel_->setVisible(job_view.is_busy());
+    reload_->setVisible(context_.open_job.has_changed() && !job_view.is_busy());
     show_publish_reason();
     show_refusal();
 }
@@ -115,19 +116,19 @@ void SlicingPanel::set_theme(const Tokens& tokens) {
 }
 
 void SlicingPanel::show_refusal() {
-    const auto& refusal = bench_.desk.refusal();
-    auto lock = bench_.replay.is_open()
+    const auto& refusal = context_.open_job.refusal();
+    auto lock = context_.replay.is_open()
                     ? replay::lock()
-                    : session::lock_of(Action::slice, bench_.machine.sight(), bench_.desk.sight());
+                    : session::lock_of(Action::slice, context_.machine.view(), context_.open_job.view());
     const std::vector<session::Remedy> by_core{{session::Remedy::Kind::core_profile}};
-    if (!lock && refusal && refusal->remedies == by_core && !bench_.knows_core_profile())
+    if (!lock && refusal && refusal->remedies == by_core && !context_.knows_core_profile())
         lock = session::phrase("The core's profile is not known: give the window its file, with --profile");
     refusal_->show_refusal(refusal ? &*refusal : nullptr, lock ? words(*lock) : QString{});
 }
 
 /// What is locked says why: beside Publish in words, too.
 void SlicingPanel::show_publish_reason() {
-    const bool is_told = bench_.desk.sight().state == DeskState::published;
+    const bool is_told = context_.open_job.view().state == OpenJobState::published;
     const QString reason = is_told ? QString{} : publish_->reason();
     if (publish_reason_->text() != reason) publish_reason_->setText(reason);
     if (publish_reason_->isHidden() != reason.isEmpty()) publish_reason_->setVisible(!reason.isEmpty());

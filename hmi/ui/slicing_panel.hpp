@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QLabel;
 class QProgressBar;
@@ -29,7 +29,7 @@ public:
         std::function<void()> reload;
         std::function<void(const session::Remedy&)> remedy;
     };
-    SlicingPanel(Bench& bench, Acts acts, QWidget* parent = nullptr);
+    SlicingPanel(WindowContext& context, Acts acts, QWidget* parent = nullptr);
 
     /// `is_stale`: the job was sliced otherwise than the fields say now.
     void refresh(bool is_stale);
@@ -44,7 +44,7 @@ private:
     void show_publish_reason();
     void show_refusal();
 
-    Bench& bench_;
+    WindowContext& context_;
     RefusalCard* refusal_;
     QLabel* state_;
     QProgressBar* progress_;

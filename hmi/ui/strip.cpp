@@ -56,9 +56,9 @@ void add_words(QPushButton& button, QLabel* icon, const QString& title, QLabel* 
 
 }  // namespace
 
-Strip::Strip(Bench& bench, QMenu* menu, QWidget* parent)
+Strip::Strip(WindowContext& context, QMenu* menu, QWidget* parent)
     : QWidget(parent),
-      bench_(bench),
+      context_(context),
       menu_button_(new QToolButton),
       pill_(new StatePill),
       heart_(new QLabel),
@@ -160,16 +160,16 @@ void Strip::set_room(Room room) {
 }
 
 void Strip::emergency_stop() {
-    if (bench_.machine.emergency_stop())
-        return bench_.log.add_command(session::Severity::info, session::phrase("Emergency stop asked for"));
-    bench_.log.add(session::Severity::alarm,
-                   session::phrase("Nobody heard the emergency stop: it has stopped nothing"),
-                   session::phrase("Use the wired emergency stop, or the machine's own switch"));
+    if (context_.machine.emergency_stop())
+        return context_.log.add_command(session::Severity::info, session::phrase("Emergency stop asked for"));
+    context_.log.add(session::Severity::alarm,
+                     session::phrase("Nobody heard the emergency stop: it has stopped nothing"),
+                     session::phrase("Use the wired emergency stop, or the machine's own switch"));
 }
 
 void Strip::refresh() {
     if (tokens_ == nullptr) return;
-    const bool is_replay = bench_.replay.is_open();
+    const bool is_replay = context_.replay.is_open();
     refresh_pill();
     refresh_heartbeat();
     if (is_replay) {
@@ -182,11 +182,12 @@ void Strip::refresh() {
 }
 
 void Strip::refresh_pill() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const session::StateText live = session::state_text(sight, bench_.desk.sight().core_layer_count);
+    const session::MachineView& machine_view = context_.machine.view();
+    const session::StateText live =
+        session::state_text(machine_view, context_.open_job.view().core_layer_count);
     // An alarm of the machine is never hidden by what a recording shows.
-    if (!bench_.replay.is_open() || live.tone == session::Tone::alarm) {
-        pill_->show_state(live, glyph_of(sight.state(), sight.is_heard()), *tokens_);
+    if (!context_.replay.is_open() || live.tone == session::Tone::alarm) {
+        pill_->show_state(live, glyph_of(machine_view.state(), machine_view.is_heard()), *tokens_);
         return;
     }
     const session::StateText text{session::phrase("REPLAY"),
@@ -197,21 +198,21 @@ void Strip::refresh_pill() {
 
 /// Violet is what is not the real thing; a real port has its name there.
 void Strip::refresh_badge() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_replay = bench_.replay.is_open();
-    const bool is_real = !is_replay && !sight.is_simulator();
-    const QString port = QString::fromStdString(sight.port_name);
+    const session::MachineView& machine_view = context_.machine.view();
+    const bool is_replay = context_.replay.is_open();
+    const bool is_real = !is_replay && !machine_view.is_simulator();
+    const QString port = QString::fromStdString(machine_view.port_name);
     set_styled(badge_, "role", is_real ? "port" : "badge");
     badge_->setText(is_replay ? tr("REPLAY")
                     : is_real ? port.mid(port.lastIndexOf('/') + 1)  // "parport0", "io:0x378"
                               : tr("SIMULATOR"));
     badge_->setToolTip(is_real ? tr("The real machine at port %1").arg(port) : QString{});
-    badge_->setVisible(!is_real || (sight.status && !port.isEmpty()));
+    badge_->setVisible(!is_real || (machine_view.status && !port.isEmpty()));
 }
 
 void Strip::refresh_replay() {
     work_->clear();
-    const replay::ReplayClock& clock = bench_.replay.clock();
+    const replay::ReplayClock& clock = context_.replay.clock();
     percent_->setText(QString::fromStdString(session::time_text_ms(clock.now_ns())));
     show_time(tr("of %1").arg(QString::fromStdString(session::time_text_ms(clock.end_ns()))));
     const double ratio =
@@ -221,20 +222,20 @@ void Strip::refresh_replay() {
 }
 
 void Strip::refresh_heartbeat() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_alive = sight.life == session::CoreLife::alive;
-    const bool is_late = sight.life == session::CoreLife::late;
+    const session::MachineView& machine_view = context_.machine.view();
+    const bool is_alive = machine_view.life == session::CoreLife::alive;
+    const bool is_late = machine_view.life == session::CoreLife::late;
     heart_->setText(is_alive ? tr("✓ CORE ALIVE") : is_late ? tr("! CORE LATE") : tr("× NO CORE"));
     const QColor colour = is_alive ? tokens_->run : is_late ? tokens_->warn : tokens_->text2;
     const QString style = QString{"font-weight: 700; font-size: 12px; color: %1"}.arg(colour.name());
     if (heart_->styleSheet() != style) heart_->setStyleSheet(style);
-    if (!sight.is_heard() || !sight.status) {
+    if (!machine_view.is_heard() || !machine_view.status) {
         tick_->clear();
         missed_->clear();
         heart_->setToolTip({});
         return;
     }
-    const CoreStatus& status = *sight.status;
+    const CoreStatus& status = *machine_view.status;
     const double tick_us = static_cast<double>(status.period_ns) / static_cast<double>(kNsPerUs);
     const QString clock = status.is_virtual_clock != 0 ? tr("virtual clock") : tr("real clock");
     const QString tick = tr("tick %1 µs").arg(QString::fromStdString(session::number_text(tick_us, 0)));
@@ -254,20 +255,20 @@ void Strip::refresh_heartbeat() {
 /// "12:38 left · ends 15:11", "about 12:38 left · ends about 15:11", "stopped 14:58:07", "held, last known
 /// 14:58:07"
 QString Strip::time_words() const {
-    const session::MachineSight& sight = bench_.machine.sight();
-    if (!sight.is_heard() && sight.status) {
+    const session::MachineView& machine_view = context_.machine.view();
+    if (!machine_view.is_heard() && machine_view.status) {
         const QString state =
-            words(session::phrase("%1", name_of(sight.heard_state.value_or(sight.state()))));
-        return QStringLiteral("%1, %2").arg(state, last_known(sight));
+            words(session::phrase("%1", name_of(machine_view.heard_state.value_or(machine_view.state()))));
+        return QStringLiteral("%1, %2").arg(state, last_known(machine_view));
     }
-    const auto at = session::alarm_time(sight);
-    if (at && session::is_cut_short(sight)) return tr("stopped %1").arg(local_time(*at, "HH:mm:ss"));
-    const QString left = words(session::time_text(sight, bench_.desk.sight().core_layer_count));
-    const auto end = session::end_time(sight, std::chrono::system_clock::now());
+    const auto at = session::alarm_time(machine_view);
+    if (at && session::is_cut_short(machine_view)) return tr("stopped %1").arg(local_time(*at, "HH:mm:ss"));
+    const QString left = words(session::time_text(machine_view, context_.open_job.view().core_layer_count));
+    const auto end = session::end_time(machine_view, std::chrono::system_clock::now());
     if (!end) return left;
     const QString clock = local_time(*end, "HH:mm");
-    return session::is_time_about(sight) ? tr("%1 · ends about %2").arg(left, clock)
-                                         : tr("%1 · ends %2").arg(left, clock);
+    return session::is_time_about(machine_view) ? tr("%1 · ends about %2").arg(left, clock)
+                                                : tr("%1 · ends %2").arg(left, clock);
 }
 
 /// Where room is short as much as fits, and all of it in the tip.
@@ -279,26 +280,29 @@ void Strip::show_time(const QString& text) {
 }
 
 void Strip::refresh_progress() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_told = session::tells_of_run(sight, bench_.desk.sight());
-    const double ratio = is_told ? session::done_ratio(sight) : -1.0;
+    const session::MachineView& machine_view = context_.machine.view();
+    const bool is_told = session::tells_of_run(machine_view, context_.open_job.view());
+    const double ratio = is_told ? session::done_ratio(machine_view) : -1.0;
     const bool has_job = ratio >= 0.0;
     percent_->setText(has_job ? QString{"%1 %"}.arg(static_cast<int>(100.0 * ratio)) : QString{});
     progress_->setValue(has_job ? static_cast<int>(kStripProgressSteps * ratio) : 0);
     show_time(is_told ? time_words() : tr("No job running"));
-    const auto job = bench_.job_at_work();
+    const auto job = context_.job_at_work();
     if (work_->isVisible())
-        work_->setText(words(
-            session::work_text(sight, job ? job->view.layer_count() : 0, job ? job->view.point_count() : 0)));
+        work_->setText(words(session::work_text(machine_view, job ? job->view.layer_count() : 0,
+                                                job ? job->view.point_count() : 0)));
     // An alarm takes nothing from a job that it did not cut short.
     const bool is_other_alarm =
-        sight.is_heard() && !session::is_cut_short(sight) &&
-        (sight.state() == MachineState::alarm || sight.state() == MachineState::backing_off);
-    const session::Tone tone = is_other_alarm ? session::Tone::run : session::state_text(sight, 0).tone;
-    set_styled(progress_, "tone",
-               tone == session::Tone::alarm                                                         ? "alarm"
-               : tone == session::Tone::warn || !sight.is_heard() || session::is_left_undone(sight) ? "warn"
-                                                                                                    : "run");
+        machine_view.is_heard() && !session::is_cut_short(machine_view) &&
+        (machine_view.state() == MachineState::alarm || machine_view.state() == MachineState::backing_off);
+    const session::Tone tone =
+        is_other_alarm ? session::Tone::run : session::state_text(machine_view, 0).tone;
+    set_styled(
+        progress_, "tone",
+        tone == session::Tone::alarm ? "alarm"
+        : tone == session::Tone::warn || !machine_view.is_heard() || session::is_left_undone(machine_view)
+            ? "warn"
+            : "run");
 }
 
 }  // namespace psicarve::ui

@@ -4,9 +4,9 @@
 #include <QCoreApplication>
 #include <QWidget>
 
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/tokens.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QBoxLayout;
 class QHBoxLayout;
@@ -24,7 +24,7 @@ class StatePill;
 class Strip : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::Strip)
 public:
-    Strip(Bench& bench, QMenu* menu, QWidget* parent = nullptr);
+    Strip(WindowContext& context, QMenu* menu, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -43,7 +43,7 @@ private:
     QString time_words() const;
     void show_time(const QString& text);
 
-    Bench& bench_;
+    WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     QToolButton* menu_button_;
     StatePill* pill_;

@@ -50,7 +50,8 @@ QString tick_text(std::int64_t time_ns, std::int64_t step_ns) {
 
 }  // namespace
 
-TimelineView::TimelineView(replay::ReplayDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+TimelineView::TimelineView(replay::ReplaySession& replay, QWidget* parent)
+    : QWidget(parent), replay_(replay) {
     setObjectName("timeline");
     setFixedHeight(kTimelineViewHeight);
     setFocusPolicy(Qt::StrongFocus);
@@ -63,15 +64,15 @@ void TimelineView::set_theme(const Tokens& tokens) {
 }
 
 void TimelineView::refresh() {
-    if (drawn_ns_ == desk_.clock().now_ns() && drawn_edition_ == desk_.edition()) return;
-    drawn_ns_ = desk_.clock().now_ns();
-    drawn_edition_ = desk_.edition();
+    if (drawn_ns_ == replay_.clock().now_ns() && drawn_edition_ == replay_.edition()) return;
+    drawn_ns_ = replay_.clock().now_ns();
+    drawn_edition_ = replay_.edition();
     setAccessibleDescription(QString::fromStdString(session::time_text_ms(drawn_ns_)));
     update();
 }
 
 int TimelineView::x_of(std::int64_t time_ns) const {
-    const std::int64_t end_ns = std::max<std::int64_t>(desk_.clock().end_ns(), 1);
+    const std::int64_t end_ns = std::max<std::int64_t>(replay_.clock().end_ns(), 1);
     const double share = static_cast<double>(time_ns) / static_cast<double>(end_ns);
     return kSide + qRound(share * (width() - 2 * kSide));
 }
@@ -79,19 +80,19 @@ int TimelineView::x_of(std::int64_t time_ns) const {
 std::int64_t TimelineView::time_of(int x) const {
     const double share =
         std::clamp(static_cast<double>(x - kSide) / std::max(width() - 2 * kSide, 1), 0.0, 1.0);
-    return std::llround(share * static_cast<double>(desk_.clock().end_ns()));
+    return std::llround(share * static_cast<double>(replay_.clock().end_ns()));
 }
 
 void TimelineView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) desk_.clock().seek(time_of(event->pos().x()));
+    if (event->button() == Qt::LeftButton) replay_.clock().seek(time_of(event->pos().x()));
 }
 
 void TimelineView::mouseMoveEvent(QMouseEvent* event) {
-    if ((event->buttons() & Qt::LeftButton) != 0) desk_.clock().seek(time_of(event->pos().x()));
+    if ((event->buttons() & Qt::LeftButton) != 0) replay_.clock().seek(time_of(event->pos().x()));
 }
 
 void TimelineView::keyPressEvent(QKeyEvent* event) {
-    replay::ReplayClock& clock = desk_.clock();
+    replay::ReplayClock& clock = replay_.clock();
     const bool is_fine = (event->modifiers() & Qt::ShiftModifier) != 0;
     const std::int64_t step_ns = is_fine ? kFineStep_ns : kStep_ns;
     switch (event->key()) {
@@ -115,7 +116,7 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
 QString TimelineView::words_at(int x) const {
     QString text;
     int count = 0;
-    const auto& entries = desk_.facts().entries;
+    const auto& entries = replay_.facts().entries;
     const int first = replay::entry_before(entries, time_of(x - kNear_px));
     for (std::size_t i = static_cast<std::size_t>(first) + 1; i < entries.size(); ++i) {
         if (x_of(entries[i].time_ns) > x + kNear_px) break;
@@ -148,7 +149,7 @@ void TimelineView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(track, tokens_->view);
     QColor played = tokens_->sim_fill;
     played.setAlpha(70);
-    painter.fillRect(QRect{track.topLeft(), QPoint{x_of(desk_.clock().now_ns()), track.bottom()}}, played);
+    painter.fillRect(QRect{track.topLeft(), QPoint{x_of(replay_.clock().now_ns()), track.bottom()}}, played);
     paint_activity(painter);
     paint_axis(painter);
     paint_marks(painter);
@@ -161,7 +162,7 @@ void TimelineView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void TimelineView::paint_axis(QPainter& painter) const {
-    const std::int64_t end_ns = desk_.clock().end_ns();
+    const std::int64_t end_ns = replay_.clock().end_ns();
     const int bottom = height() - kAxis;
     painter.setPen(tokens_->line);
     painter.drawLine(kSide, bottom, width() - kSide, bottom);
@@ -179,7 +180,7 @@ void TimelineView::paint_axis(QPainter& painter) const {
 }
 
 void TimelineView::paint_activity(QPainter& painter) const {
-    const auto& activity = desk_.facts().activity;
+    const auto& activity = replay_.facts().activity;
     if (activity.empty()) return;
     const double low = height() - kAxis - 4;
     const double room = height() - kAxis - kLabels - 12;
@@ -202,7 +203,7 @@ void TimelineView::paint_marks(QPainter& painter) const {
     const int bottom = height() - kAxis;
     int free_from = 0;    // words do not run into each other
     int last_mark = -10;  // nor lines
-    for (const replay::Entry& entry : desk_.facts().entries) {
+    for (const replay::Entry& entry : replay_.facts().entries) {
         const bool is_plain = entry.severity == session::Severity::info;
         if (!entry.is_major) continue;
         const int x = x_of(entry.time_ns);
@@ -224,7 +225,7 @@ void TimelineView::paint_marks(QPainter& painter) const {
 
 void TimelineView::paint_cursor(QPainter& painter) const {
     constexpr int kHalf = 6;
-    const int x = x_of(desk_.clock().now_ns());
+    const int x = x_of(replay_.clock().now_ns());
     painter.setPen(QPen{tokens_->text, 2});
     painter.drawLine(x, kLabels, x, height() - kAxis + 2);
     painter.setPen(Qt::NoPen);

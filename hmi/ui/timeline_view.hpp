@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "hmi/replay/replay_desk.hpp"
+#include "hmi/replay/replay_session.hpp"
 #include "hmi/ui/tokens.hpp"
 
 namespace psicarve::ui {
@@ -17,7 +17,7 @@ namespace psicarve::ui {
 class TimelineView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::TimelineView)
 public:
-    explicit TimelineView(replay::ReplayDesk& desk, QWidget* parent = nullptr);
+    explicit TimelineView(replay::ReplaySession& replay, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
     void refresh();
@@ -40,7 +40,7 @@ private:
     void paint_marks(QPainter& painter) const;
     void paint_cursor(QPainter& painter) const;
 
-    replay::ReplayDesk& desk_;
+    replay::ReplaySession& replay_;
     const Tokens* tokens_ = nullptr;
     std::int64_t drawn_ns_ = -1;
     std::uint64_t drawn_edition_ = 0;

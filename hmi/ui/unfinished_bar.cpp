@@ -29,9 +29,9 @@ QString in_one_line(const std::vector<session::Phrase>& sentences) {
 
 }  // namespace
 
-UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
+UnfinishedBar::UnfinishedBar(WindowContext& context, QWidget* parent)
     : NoticeBar("unfinished", Glyph::info, parent),
-      bench_(bench),
+      context_(context),
       details_(add_text("details")),
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
       open_(new QPushButton{tr("Open its job")}),
@@ -44,12 +44,12 @@ UnfinishedBar::UnfinishedBar(Bench& bench, QWidget* parent)
     open_->setFocusPolicy(Qt::TabFocus);
     open_->setToolTip(tr("Opens the copy of the job that the core has kept; it publishes and moves nothing"));
     connect(open_, &QPushButton::clicked, this, [this] {
-        if (const FoundCheckpoint* found = saved_piece()) bench_.desk.open_job(found->job_path);
+        if (const FoundCheckpoint* found = saved_piece()) context_.open_job.open_job(found->job_path);
     });
     forget_->setObjectName("unfinished_forget");
     forget_->setFocusPolicy(Qt::TabFocus);
     forget_->setToolTip(tr("Forgets for good how far this piece is carved; it asks first and moves nothing"));
-    connect(forget_, &QPushButton::clicked, this, [this] { forget_when_asked(bench_, window()); });
+    connect(forget_, &QPushButton::clicked, this, [this] { forget_when_asked(context_, window()); });
     dismiss_->setObjectName("unfinished_dismiss");
     dismiss_->setFocusPolicy(Qt::TabFocus);
     dismiss_->setToolTip(tr("Takes this away until more is carved; it moves and forgets nothing"));
@@ -72,16 +72,16 @@ void UnfinishedBar::set_room(Room room) {
 
 /// What is louder says where to go on itself.
 std::optional<session::UnfinishedPiece> UnfinishedBar::piece() const {
-    const session::MachineSight& sight = bench_.machine.sight();
-    if (bench_.replay.is_open() || session::loud_text(sight)) return std::nullopt;
-    return session::unfinished_piece(sight, bench_.desk.sight());
+    const session::MachineView& view = context_.machine.view();
+    if (context_.replay.is_open() || session::loud_text(view)) return std::nullopt;
+    return session::unfinished_piece(view, context_.open_job.view());
 }
 
 const FoundCheckpoint* UnfinishedBar::saved_piece() const {
-    const session::MachineSight& sight = bench_.machine.sight();
-    if (bench_.replay.is_open() || session::loud_text(sight) || !sight.saved_piece) return nullptr;
-    if (!session::may_be_saved(sight)) return nullptr;
-    return bench_.desk.sight().state == session::DeskState::empty ? &*sight.saved_piece : nullptr;
+    const session::MachineView& view = context_.machine.view();
+    if (context_.replay.is_open() || session::loud_text(view) || !view.saved_piece) return nullptr;
+    if (!session::may_be_saved(view)) return nullptr;
+    return context_.open_job.view().state == session::OpenJobState::empty ? &*view.saved_piece : nullptr;
 }
 
 void UnfinishedBar::dismiss() {
@@ -93,20 +93,20 @@ void UnfinishedBar::dismiss() {
 }
 
 std::uint64_t UnfinishedBar::job_generation() const {
-    const auto& status = bench_.machine.sight().status;
+    const auto& status = context_.machine.view().status;
     return status ? status->job_generation : 0;
 }
 
 /// The next piece may come to the same numbers.
 void UnfinishedBar::forget_dismissed() {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const bool is_under_way = sight.is_heard() && runs_job(sight.state());
+    const session::MachineView& view = context_.machine.view();
+    const bool is_under_way = view.is_heard() && runs_job(view.state());
     if (is_under_way || dismissed_job_ != job_generation()) dismissed_.reset();
 }
 
 void UnfinishedBar::begin_anew() {
-    const session::RunKind kind = bench_.wanted_run;  // whatever is chosen while it is asked
-    if (asked_to_begin_anew(bench_, kind, window())) bench_.machine.start(0, 0, kind);
+    const session::RunKind kind = context_.wanted_run;  // whatever is chosen while it is asked
+    if (asked_to_begin_anew(context_, kind, window())) context_.machine.start(0, 0, kind);
 }
 
 void UnfinishedBar::refresh() {
@@ -120,7 +120,7 @@ void UnfinishedBar::refresh() {
     set_shown(is_there);
     if (!is_there) return;
     if (anew_->isHidden() == is_piece) anew_->setVisible(is_piece);
-    const bool can_forget = found != nullptr || bench_.machine.sight().is_checkpoint_from_disk;
+    const bool can_forget = found != nullptr || context_.machine.view().is_checkpoint_from_disk;
     if (forget_->isHidden() == can_forget) forget_->setVisible(can_forget);
     const bool can_open = found != nullptr && !found->job_path.empty();
     if (open_->isHidden() == can_open) open_->setVisible(can_open);
@@ -132,22 +132,22 @@ void UnfinishedBar::refresh() {
 }
 
 void UnfinishedBar::show_piece(const session::UnfinishedPiece& piece) {
-    const session::MachineSight& sight = bench_.machine.sight();
-    const auto job = bench_.desk.core_job() ? bench_.desk.core_job() : bench_.desk.job();
-    const QString all = in_one_line(session::unfinished_details(piece, sight, job.get()));
+    const session::MachineView& view = context_.machine.view();
+    const auto job = context_.open_job.core_job() ? context_.open_job.core_job() : context_.open_job.job();
+    const QString all = in_one_line(session::unfinished_details(piece, view, job.get()));
     show_texts(words(session::unfinished_title(piece)),
-               is_small_ ? in_one_line(session::unfinished_needs(piece, sight)) : all, all);
-    anew_->refresh(bench_);
+               is_small_ ? in_one_line(session::unfinished_needs(piece, view)) : all, all);
+    anew_->refresh(context_);
 }
 
 void UnfinishedBar::show_saved(const FoundCheckpoint& found) {
     const Checkpoint& checkpoint = found.saved.checkpoint;
-    const QString all = in_one_line(session::saved_details(found, bench_.machine.sight()));
+    const QString all = in_one_line(session::saved_details(found, context_.machine.view()));
     if (is_small_) {
         const session::UnfinishedPiece piece{checkpoint.next_layer, checkpoint.earlier_layer,
                                              checkpoint.layer_count};
         return show_texts(words(session::unfinished_title(piece)),
-                          in_one_line(session::saved_needs(found, bench_.machine.sight())), all);
+                          in_one_line(session::saved_needs(found, context_.machine.view())), all);
     }
     SavedCheckpoint titled = found.saved;
     titled.source_name = short_file_name(titled.source_name).toStdString();

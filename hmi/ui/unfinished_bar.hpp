@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "hmi/session/going_on.hpp"
-#include "hmi/ui/bench.hpp"
 #include "hmi/ui/notice_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QBoxLayout;
 class QLabel;
@@ -25,7 +25,7 @@ class ActionButton;
 class UnfinishedBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnfinishedBar)
 public:
-    explicit UnfinishedBar(Bench& bench, QWidget* parent = nullptr);
+    explicit UnfinishedBar(WindowContext& context, QWidget* parent = nullptr);
 
     /// In a small window all but what has to be done or known first is in the tool tip.
     void set_room(Room room);
@@ -43,7 +43,7 @@ private:
     void forget_dismissed();
     void begin_anew();
 
-    Bench& bench_;
+    WindowContext& context_;
     QLabel* details_;
     ActionButton* anew_;
     QPushButton* open_;

@@ -17,7 +17,7 @@
 namespace psicarve::ui {
 
 VerdictDialog::VerdictDialog(const std::shared_ptr<const session::Judgement>& judgement,
-                             session::FileDesk& files, QWidget* parent)
+                             session::FileSaver& files, QWidget* parent)
     : QDialog(parent) {
     constexpr int kMostWidth = 420;
     setObjectName("verdict");

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "hmi/session/file_desk.hpp"
+#include "hmi/session/file_saver.hpp"
 
 namespace psicarve::ui {
 
@@ -14,7 +14,7 @@ namespace psicarve::ui {
 class VerdictDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::VerdictDialog)
 public:
-    VerdictDialog(const std::shared_ptr<const session::Judgement>& judgement, session::FileDesk& files,
+    VerdictDialog(const std::shared_ptr<const session::Judgement>& judgement, session::FileSaver& files,
                   QWidget* parent = nullptr);
 };
 

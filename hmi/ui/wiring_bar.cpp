@@ -16,7 +16,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::WiringTest;
+using session::WiringTrial;
 
 constexpr int kMostPulses = 10'000;
 constexpr int kUsualPulses = 200;
@@ -35,22 +35,23 @@ QSpinBox* number_field(int most, int usual, const QString& unit, const char* nam
 
 }  // namespace
 
-WiringBar::WiringBar(Bench& bench, QWidget* parent)
-    : QFrame(parent), bench_(bench), text_(role_label("label")), left_(role_label("head")) {
+WiringBar::WiringBar(WindowContext& context, QWidget* parent)
+    : QFrame(parent), context_(context), text_(role_label("label")), left_(role_label("head")) {
     setObjectName("wiring");
     text_->setWordWrap(true);
-    arm_ = new ActionButton{[](const Bench& now) { return session::wiring_lock(now.machine.sight()); },
+    arm_ = new ActionButton{[](const WindowContext& now) { return session::wiring_lock(now.machine.view()); },
                             QString{},
                             [this] {
                                 if (test_.is_armed()) return let_go();
-                                test_.arm(WiringTest::Clock::now());
+                                test_.arm(WiringTrial::Clock::now());
                                 refresh();
                             }};
     arm_->setObjectName("arm_wiring");
     arm_->set_hint(tr("Then outputs can be switched one by one"));
     drives_off_ = new ActionButton{
-        [](const Bench& now) { return session::drives_off_lock(now.machine.sight()); }, tr("Drives off"),
-        [this] { bench_.machine.order(CommandKind::drives_off, session::phrase("Drives off")); }};
+        [](const WindowContext& now) { return session::drives_off_lock(now.machine.view()); },
+        tr("Drives off"),
+        [this] { context_.machine.order(CommandKind::drives_off, session::phrase("Drives off")); }};
     drives_off_->setObjectName("drives_off");
     drives_off_->set_hint(tr("Positions are lost; home again afterwards"));
     auto* head = new QHBoxLayout;
@@ -65,7 +66,7 @@ WiringBar::WiringBar(Bench& bench, QWidget* parent)
     all->addLayout(head);
     make_armed_row();
     all->addWidget(armed_row_);
-    refused_ = new OrderCard{bench_, session::OrderPlace::outputs, "outputs", OrderCard::Shape::wide, this};
+    refused_ = new OrderCard{context_, session::OrderPlace::outputs, "outputs", OrderCard::Shape::wide, this};
 }
 
 void WiringBar::set_theme(const Tokens& tokens) {
@@ -80,7 +81,7 @@ void WiringBar::make_armed_row() {
     rate_->setAccessibleName(tr("Pulses in a second"));
     pulses_ = number_field(kMostPulses, kUsualPulses, tr("pulses"), "test_pulses");
     pulses_->setAccessibleName(tr("How many pulses"));
-    const auto lock = [this](const Bench& /*bench*/) { return step_lock(); };
+    const auto lock = [this](const WindowContext& /*context*/) { return step_lock(); };
     send_ = new ActionButton{lock, tr("Send pulses"), [this] { send_pulses(); }};
     send_->setObjectName("send_pulses");
     hold_ = new ActionButton{lock, tr("Hold for high"), {}};
@@ -96,7 +97,7 @@ void WiringBar::make_armed_row() {
     row->addWidget(send_, 1);
     row->addWidget(hold_, 1);
     // What was refused was another test.
-    const auto forget = [this] { bench_.machine.forget_refused_order(session::OrderPlace::outputs); };
+    const auto forget = [this] { context_.machine.forget_refused_order(session::OrderPlace::outputs); };
     connect(outputs_, &QComboBox::currentIndexChanged, this, forget);
     for (QSpinBox* number : {rate_, pulses_}) connect(number, &QSpinBox::valueChanged, this, forget);
 }
@@ -116,20 +117,20 @@ Signal WiringBar::output() const {
 
 std::optional<session::Phrase> WiringBar::step_lock() const {
     if (!test_.is_armed()) return session::phrase("Wiring test: arm it first");
-    return session::wiring_lock(bench_.machine.sight());
+    return session::wiring_lock(context_.machine.view());
 }
 
 void WiringBar::send_pulses() {
-    test_.use(WiringTest::Clock::now());
-    bench_.machine.jog().test(output(), static_cast<std::uint32_t>(pulses_->value()), rate_->value());
+    test_.use(WiringTrial::Clock::now());
+    context_.machine.jog().test(output(), static_cast<std::uint32_t>(pulses_->value()), rate_->value());
 }
 
 void WiringBar::hold(bool is_down) {
-    test_.use(WiringTest::Clock::now());
+    test_.use(WiringTrial::Clock::now());
     if (is_down) {
-        bench_.machine.jog().test(output(), 0, 0.0);
+        context_.machine.jog().test(output(), 0, 0.0);
     } else {
-        bench_.machine.jog().release();
+        context_.machine.jog().release();
     }
 }
 
@@ -137,15 +138,15 @@ void WiringBar::let_go() {
     if (!test_.is_armed()) return;
     test_.disarm();
     hold_->setDown(false);
-    bench_.machine.jog().release();
+    context_.machine.jog().release();
     refresh();
 }
 
 void WiringBar::refresh() {
-    const auto now = WiringTest::Clock::now();
+    const auto now = WiringTrial::Clock::now();
     if (hold_->isDown()) test_.use(now);
-    const QString locked = arm_->refresh(bench_);
-    drives_off_->refresh(bench_);
+    const QString locked = arm_->refresh(context_);
+    drives_off_->refresh(context_);
     if (test_.is_armed() && (!locked.isEmpty() || test_.left(now).count() == 0)) return let_go();
     const bool is_armed = test_.is_armed();
     arm_->setText(is_armed ? tr("Disarm") : tr("Arm"));
@@ -157,7 +158,7 @@ void WiringBar::refresh() {
                    : locked.isEmpty() ? tr("Switches one output at a time. Home again afterwards.")
                                       : locked);
     set_styled(this, "armed", is_armed ? "yes" : "no");
-    for (ActionButton* button : {send_, hold_}) button->refresh(bench_);
+    for (ActionButton* button : {send_, hold_}) button->refresh(context_);
     refused_->refresh_above(*this);
 }
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "hmi/profile/pin_rows.hpp"
-#include "hmi/session/wiring_test.hpp"
+#include "hmi/session/wiring_trial.hpp"
 #include "hmi/ui/action_button.hpp"
-#include "hmi/ui/bench.hpp"
+#include "hmi/ui/window_context.hpp"
 
 class QComboBox;
 class QLabel;
@@ -23,7 +23,7 @@ class OrderCard;
 class WiringBar : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::WiringBar)
 public:
-    explicit WiringBar(Bench& bench, QWidget* parent = nullptr);
+    explicit WiringBar(WindowContext& context, QWidget* parent = nullptr);
 
     void show_rows(const std::vector<session::PinRow>& rows);
     void refresh();
@@ -39,8 +39,8 @@ private:
     Signal output() const;
     std::optional<session::Phrase> step_lock() const;
 
-    Bench& bench_;
-    session::WiringTest test_;
+    WindowContext& context_;
+    session::WiringTrial test_;
     QLabel* text_;
     QLabel* left_;
     ActionButton* arm_;

@@ -17,7 +17,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 
 QPushButton* bar_button(const char* name, const QString& text) {
     auto* button = new QPushButton{text};
@@ -34,17 +34,17 @@ QString offer_text(const UnfinishedWork& work) {
 }
 
 /// Nothing is under way with it.
-bool is_settled(DeskState state) {
-    return state == DeskState::model || state == DeskState::job || state == DeskState::published;
+bool is_settled(OpenJobState state) {
+    return state == OpenJobState::model || state == OpenJobState::job || state == OpenJobState::published;
 }
 
 }  // namespace
 
-WorkBar::WorkBar(Bench& bench, Form form, QWidget* parent)
+WorkBar::WorkBar(WindowContext& context, Form form, QWidget* parent)
     : QFrame(parent),
-      bench_(bench),
+      context_(context),
       form_(std::move(form)),
-      keeper_(*bench.settings),
+      keeper_(*context.settings),
       offer_(role_label("title")),
       note_(role_label("label")),
       take_(bar_button("work_take", tr("Take up again"))) {
@@ -69,8 +69,8 @@ WorkBar::WorkBar(Bench& bench, Form form, QWidget* parent)
 }
 
 void WorkBar::take_up() {
-    if (keeper_.left() == nullptr || bench_.desk.sight().is_busy()) return;
-    taking_ = Taking{*keeper_.left(), bench_.desk.edition()};
+    if (keeper_.left() == nullptr || context_.open_job.view().is_busy()) return;
+    taking_ = Taking{*keeper_.left(), context_.open_job.edition()};
     form_.open(taking_->left.work.path);
 }
 
@@ -80,27 +80,27 @@ void WorkBar::decline() {
 }
 
 void WorkBar::fill_in_taken() {
-    if (!taking_ || taking_->is_filled_in || bench_.desk.sight().is_busy()) return;
+    if (!taking_ || taking_->is_filled_in || context_.open_job.view().is_busy()) return;
     const UnfinishedWork& work = taking_->left.work;
-    const bool is_there =
-        bench_.desk.edition() != taking_->edition_before && bench_.desk.path() == work.path.toStdString();
+    const bool is_there = context_.open_job.edition() != taking_->edition_before &&
+                          context_.open_job.path() == work.path.toStdString();
     if (!is_there) return taking_.reset();  // cancelled, or refused
     // What another program has made of it since is to be looked at first.
-    taking_->is_to_slice = work.is_sliced && bench_.desk.stamp() == work.stamp;
+    taking_->is_to_slice = work.is_sliced && context_.open_job.stamp() == work.stamp;
     taking_->is_filled_in = true;
     put_into_fields(*form_.fields, work.fields);
 }
 
 /// By somebody else than this window.
 bool WorkBar::is_job_kept() {
-    const auto job = bench_.desk.job();
-    if (bench_.desk.sight().state == DeskState::published) published_job_ = job;
-    return job && (bench_.files.saved_job() == job || published_job_.lock() == job);
+    const auto job = context_.open_job.job();
+    if (context_.open_job.view().state == OpenJobState::published) published_job_ = job;
+    return job && (context_.files.saved_job() == job || published_job_.lock() == job);
 }
 
 void WorkBar::keep(std::uint64_t changes, bool is_stale) {
-    const session::JobDesk& desk = bench_.desk;
-    const Seen seen{desk.edition(), changes, desk.sight().state, is_job_kept()};
+    const session::OpenJob& desk = context_.open_job;
+    const Seen seen{desk.edition(), changes, desk.view().state, is_job_kept()};
     if (!is_settled(seen.state) || seen_ == seen) return;
     seen_ = seen;
     const auto stamp = desk.stamp();
@@ -111,10 +111,10 @@ void WorkBar::keep(std::uint64_t changes, bool is_stale) {
 
 /// Turning and making another body of it go before; when those are cancelled it is offered still.
 void WorkBar::settle_taken() {
-    if (!taking_ || !taking_->is_filled_in || bench_.desk.sight().is_busy()) return;
+    if (!taking_ || !taking_->is_filled_in || context_.open_job.view().is_busy()) return;
     const Taking taken = *std::exchange(taking_, std::nullopt);
-    const bool is_here = bench_.desk.sight().state == DeskState::model &&
-                         bench_.desk.path() == taken.left.work.path.toStdString();
+    const bool is_here = context_.open_job.view().state == OpenJobState::model &&
+                         context_.open_job.path() == taken.left.work.path.toStdString();
     if (!is_here) return;
     // This window has it now.
     if (keeper_.kept() != nullptr) keeper_.drop_left(taken.left.id);
@@ -135,20 +135,20 @@ void WorkBar::show_offer() {
             : tr("A window ended before it was published or saved. Nothing is published, nothing moves.");
     if (note_->text() != note) note_->setText(note);
     const QString why_not = left->file == WorkKeeper::FileState::gone ? tr("The file is not there any more")
-                            : bench_.desk.sight().is_busy() ? tr("A job is being made; cancel it first")
-                                                            : QString{};
+                            : context_.open_job.view().is_busy() ? tr("A job is being made; cancel it first")
+                                                                 : QString{};
     lock_with(*take_, why_not, tr("Opens the model with the form it had"));
     if (left->file == WorkKeeper::FileState::gone) note_->setText(why_not);
     if (told_ == left->id) return;
     told_ = left->id;
-    bench_.log.add(session::Severity::info,
-                   session::phrase("Not published when a window ended: %1 (page Model)",
-                                   QFileInfo{left->work.path}.fileName().toStdString()));
+    context_.log.add(session::Severity::info,
+                     session::phrase("Not published when a window ended: %1 (page Model)",
+                                     QFileInfo{left->work.path}.fileName().toStdString()));
 }
 
 void WorkBar::refresh(std::uint64_t changes, bool is_stale) {
     keeper_.poll(WorkKeeper::Clock::now());
-    if (taking_ && bench_.refused_file() != nullptr) taking_.reset();
+    if (taking_ && context_.refused_file() != nullptr) taking_.reset();
     fill_in_taken();
     keep(changes, is_stale);
     settle_taken();

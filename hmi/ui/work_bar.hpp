@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "hmi/ui/bench.hpp"
+#include "hmi/ui/window_context.hpp"
 #include "hmi/ui/work_keeper.hpp"
 
 class QLabel;
@@ -28,7 +28,7 @@ public:
         std::function<void()> slice;
         std::function<void(const QString& path)> open;  ///< as every file is, with what forbids that
     };
-    WorkBar(Bench& bench, Form form, QWidget* parent = nullptr);
+    WorkBar(WindowContext& context, Form form, QWidget* parent = nullptr);
 
     /// Once the form is as for the file on the desk. `changes`: of the fields, counted; `is_stale`: the job
     /// was sliced otherwise than they say.
@@ -40,7 +40,7 @@ private:
     struct Seen {
         std::uint64_t edition = 0;
         std::uint64_t changes = 0;
-        session::DeskState state = session::DeskState::empty;
+        session::OpenJobState state = session::OpenJobState::empty;
         bool is_kept = false;
         bool operator==(const Seen&) const = default;
     };
@@ -59,7 +59,7 @@ private:
     void settle_taken();
     void show_offer();
 
-    Bench& bench_;
+    WindowContext& context_;
     Form form_;
     WorkKeeper keeper_;
     std::optional<Seen> seen_;

@@ -100,15 +100,15 @@ void WorkKeeper::forget() {
 }
 
 void WorkKeeper::poll(Clock::time_point now) {
-    lane_.deliver();
-    if (now < next_look_ || !settings_.is_read() || !lane_.is_idle()) return;
+    queue_.deliver();
+    if (now < next_look_ || !settings_.is_read() || !queue_.is_idle()) return;
     next_look_ = now + kPauseOfLooks;
     if (!std::exchange(has_looked_, true)) return look();
     if (!left_.empty()) look_for_file();
 }
 
 void WorkKeeper::look() {
-    lane_.post([this, all = settings_.value(kKey).toMap()]() -> session::WorkLane::Finish {
+    queue_.post([this, all = settings_.value(kKey).toMap()]() -> session::BackgroundQueue::Finish {
         std::vector<Left> found;
         for (auto one = all.begin(); one != all.end(); ++one) {
             const QVariantMap kept = one.value().toMap();
@@ -122,7 +122,7 @@ void WorkKeeper::look() {
 
 /// A stick may be plugged in, and another program may write.
 void WorkKeeper::look_for_file() {
-    lane_.post([this, next = left_.front()]() -> session::WorkLane::Finish {
+    queue_.post([this, next = left_.front()]() -> session::BackgroundQueue::Finish {
         return [this, id = next.id, state = state_of(next.work)] {
             for (Left& one : left_) {
                 if (one.id == id) one.file = state;

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "hmi/session/background_queue.hpp"
 #include "hmi/session/file_watch.hpp"
-#include "hmi/session/work_lane.hpp"
 #include "hmi/ui/settings_store.hpp"
 
 namespace psicarve::ui {
@@ -68,7 +68,7 @@ private:
     std::vector<Left> left_;
     bool has_looked_ = false;
     Clock::time_point next_look_{};
-    session::WorkLane lane_;  // last: its thread uses the others
+    session::BackgroundQueue queue_;  // last: its thread uses the others
 };
 
 }  // namespace psicarve::ui

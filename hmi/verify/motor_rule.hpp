@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "hmi/verify/motor/pulse_train.hpp"
+#include "hmi/verify/motor/train_follower.hpp"
 #include "hmi/verify/offence_log.hpp"
 #include "shared/machine/signal.hpp"
 #include "shared/profile/profile.hpp"

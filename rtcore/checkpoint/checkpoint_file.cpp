@@ -26,12 +26,12 @@ std::int64_t seconds_now() {
 CheckpointFile::CheckpointFile(CheckpointPlace place)
     : place_(CoreKeeping::in(place.folder)), folder_(place.folder) {
     if (place.folder.empty()) return;
-    desk_ = std::make_shared<CheckpointDesk>(std::move(place));
+    disk_ = std::make_shared<CheckpointDisk>(std::move(place));
     checkpoints_ = std::make_unique<rtcore::SideThread>();
     jobs_ = std::make_unique<rtcore::SideThread>();
     auto left = std::make_shared<std::promise<LeftCheckpoint>>();
     reading_ = left->get_future();
-    checkpoints_->do_later([desk = desk_, left] { left->set_value(desk->read_left()); });
+    checkpoints_->do_later([disk = disk_, left] { left->set_value(disk->read_left()); });
     is_late_ = reading_.wait_for(kReadingPatience) != std::future_status::ready;
     look_at_left();
 }
@@ -59,20 +59,20 @@ bool CheckpointFile::has_answered_late() {
 }
 
 CoreKeeping CheckpointFile::keeping() const noexcept {
-    if (desk_ == nullptr) return place_;
-    const bool is_refused = reading_.valid() || is_silent_ || desk_->is_refused.load();
+    if (disk_ == nullptr) return place_;
+    const bool is_refused = reading_.valid() || is_silent_ || disk_->is_refused.load();
     return {is_refused ? CoreKeeping::How::refused : CoreKeeping::How::kept, place_.folder_mark};
 }
 
 void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const LoadedJob>& job) {
-    if (desk_ == nullptr) return;
+    if (disk_ == nullptr) return;
     look_at_left();
     std::uint32_t& told = told_[job->checksum];
     told = std::max(told, what.checkpoint.next_layer);
-    auto& place = what.why == Keeping::carved ? desk_->carved : desk_->runs;
+    auto& place = what.why == Keeping::carved ? disk_->carved : disk_->runs;
     // A run that carves needs no announcement any more.
-    if (what.why == Keeping::carved) desk_->runs.take();
-    const CheckpointDesk::KeptState state{what.checkpoint, job, seconds_now(), what.why, ++given_};
+    if (what.why == Keeping::carved) disk_->runs.take();
+    const CheckpointDisk::KeptState state{what.checkpoint, job, seconds_now(), what.why, ++given_};
     place.put(state);
     ask();
     last_carved_.reset();
@@ -88,16 +88,16 @@ void CheckpointFile::keep(const ToKeep& what, const std::shared_ptr<const Loaded
 
 /// Keeps at most one task waiting for the disk, however much is given meanwhile.
 void CheckpointFile::ask() {
-    desk_->given_order.store(given_);
-    if (desk_->is_asked_for.exchange(true)) return;
-    must_ask_ = !checkpoints_->do_later([desk = desk_] { desk->do_given(); });
-    if (must_ask_) desk_->is_asked_for.store(false);
+    disk_->given_order.store(given_);
+    if (disk_->is_asked_for.exchange(true)) return;
+    must_ask_ = !checkpoints_->do_later([disk = disk_] { disk->do_given(); });
+    if (must_ask_) disk_->is_asked_for.store(false);
 }
 
 void CheckpointFile::tend() {
-    if (desk_ == nullptr) return;
+    if (disk_ == nullptr) return;
     if (must_ask_) ask();
-    const std::uint64_t done = desk_->done_order.load();
+    const std::uint64_t done = disk_->done_order.load();
     if (done == given_) {
         waiting_since_.reset();
         is_silent_ = false;
@@ -121,14 +121,14 @@ void CheckpointFile::tend() {
 
 /// Writes again what a disk has refused: it may take it now, though nothing more is carved.
 void CheckpointFile::try_again() {
-    if (!desk_->is_refused.load()) last_carved_.reset();
+    if (!disk_->is_refused.load()) last_carved_.reset();
     if (!last_carved_) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < next_try_) return;
     next_try_ = now + kPauseBeforeNextTry;
     last_carved_->order = ++given_;
     carved_order_ = given_;
-    desk_->carved.put(*last_carved_);
+    disk_->carved.put(*last_carved_);
     ask();
 }
 
@@ -138,11 +138,11 @@ void CheckpointFile::copy(const std::shared_ptr<const LoadedJob>& job) {
         copy_pause_layers_ = 1;
         layers_to_next_copy_ = 1;
     } else {
-        if (desk_->uncopied_job.load() != job->checksum || --layers_to_next_copy_ != 0) return;
+        if (disk_->uncopied_job.load() != job->checksum || --layers_to_next_copy_ != 0) return;
         copy_pause_layers_ *= 2;
         layers_to_next_copy_ = copy_pause_layers_;
     }
-    if (desk_->jobs.put(job)) jobs_->do_later([desk = desk_] { desk->copy_newest(); });
+    if (disk_->jobs.put(job)) jobs_->do_later([disk = disk_] { disk->copy_newest(); });
 }
 
 std::optional<SavedCheckpoint> CheckpointFile::left_of(const LoadedJob& job) {
@@ -154,7 +154,7 @@ std::optional<SavedCheckpoint> CheckpointFile::left_of(const LoadedJob& job) {
 }
 
 std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
-    if (desk_ == nullptr) return 0;
+    if (disk_ == nullptr) return 0;
     look_at_left();
     // A disk that has not been read yet may hold any record.
     if (reading_.valid() || is_left_unknown_) return job.view.layer_count();
@@ -163,25 +163,25 @@ std::uint32_t CheckpointFile::most_told_of(const LoadedJob& job) {
 }
 
 bool CheckpointFile::is_newest(const RecordName& record) const noexcept {
-    if (desk_ == nullptr) return true;
+    if (disk_ == nullptr) return true;
     const bool is_carved_now = carved_job_ == record.job_checksum;
     const auto holds_newest = [&](std::uint64_t order) { return !is_carved_now || order >= carved_order_; };
-    const bool is_done = holds_newest(desk_->done_order.load());
-    if (record.sequence == 0) return is_done && desk_->standing_job.load() != record.job_checksum;
-    if (record.sequence == desk_->standing_sequence.load() && is_done) return true;
-    return record.sequence == desk_->tried_sequence.load() && holds_newest(desk_->tried_order.load());
+    const bool is_done = holds_newest(disk_->done_order.load());
+    if (record.sequence == 0) return is_done && disk_->standing_job.load() != record.job_checksum;
+    if (record.sequence == disk_->standing_sequence.load() && is_done) return true;
+    return record.sequence == disk_->tried_sequence.load() && holds_newest(disk_->tried_order.load());
 }
 
 bool CheckpointFile::forget(const RecordName& record) {
-    if (desk_ == nullptr) return true;
+    if (disk_ == nullptr) return true;
     look_at_left();
-    auto waiting = desk_->forgets.take();
+    auto waiting = disk_->forgets.take();
     if (waiting == nullptr) waiting = std::make_unique<std::vector<RecordName>>();
     const bool is_new = std::ranges::find(*waiting, record) == waiting->end();
     const bool is_full = is_new && waiting->size() >= kMostForgets;
     if (is_new && !is_full) waiting->push_back(record);
     // Behind the writes that wait: their records have other sequences.
-    desk_->forgets.put(std::move(*waiting));
+    disk_->forgets.put(std::move(*waiting));
     ++given_;
     ask();
     if (is_full) return false;

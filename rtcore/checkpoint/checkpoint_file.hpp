@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "rtcore/checkpoint/checkpoint_desk.hpp"
+#include "rtcore/checkpoint/checkpoint_disk.hpp"
 #include "rtcore/checkpoint/checkpoint_keeper.hpp"
 #include "rtcore/job/loaded_job.hpp"
 #include "rtcore/process/side_thread.hpp"
@@ -59,7 +59,7 @@ private:
     void ask();
     void copy(const std::shared_ptr<const LoadedJob>& job);
 
-    std::shared_ptr<CheckpointDesk> desk_;  ///< shared with the threads, which may outlive this; null:
+    std::shared_ptr<CheckpointDisk> disk_;  ///< shared with the threads, which may outlive this; null:
                                             ///< nothing is kept
     CoreKeeping place_;
     std::string folder_;
@@ -74,13 +74,13 @@ private:
     bool is_left_past_ = false;
     bool is_left_unknown_ = false;                 ///< something stands there that cannot be read
     std::map<std::uint64_t, std::uint32_t> told_;  ///< most layers, by the job's checksum
-    std::uint64_t given_ = 0;                      ///< order of what the desk was given last
+    std::uint64_t given_ = 0;                      ///< order of what the disk was given last
     std::uint64_t carved_job_ = 0;                 ///< checksum of what was carved last, and its order
     std::uint64_t carved_order_ = 0;
     std::uint64_t done_seen_ = 0;
     std::optional<std::chrono::steady_clock::time_point> waiting_since_;  ///< waiting for the disk to answer
                                                                           ///< since then
-    std::optional<CheckpointDesk::KeptState> last_carved_;                ///< if nothing was given since
+    std::optional<CheckpointDisk::KeptState> last_carved_;                ///< if nothing was given since
     std::chrono::steady_clock::time_point next_try_{};
     bool must_ask_ = false;
     bool is_silent_ = false;  ///< the disk does not answer

@@ -95,7 +95,7 @@ public:
             watch_ticks();
             page_.note_look();
         }
-        return bury();
+        return reap_core();
     }
 
 private:
@@ -167,7 +167,7 @@ private:
         if (!owes_safe_state_) say_it_answers();
     }
 
-    int bury() {
+    int reap_core() {
         int status = 0;
         while (waitpid(core_pid_, &status, 0) < 0 && errno == EINTR) {
         }
@@ -236,7 +236,7 @@ private:
 
 }  // namespace
 
-Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty) {
+Result<std::variant<GuardLink, int>> fork_guard(const GuardDuty& duty) {
     auto page = GuardPage::make();
     if (!page) return page.error();
     std::array<int, 2> to_core{-1, -1};

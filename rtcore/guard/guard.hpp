@@ -27,6 +27,6 @@ struct GuardDuty {
 /// the core with the link to its guard. Returns in the guard when all is over, with the exit code: the core's
 /// own, or 128 + the signal that killed it. The guard needs no real-time rights: it sleeps until something
 /// happens. An error: there is no guard, and no second process.
-Result<std::variant<GuardLink, int>> part_from_guard(const GuardDuty& duty);
+Result<std::variant<GuardLink, int>> fork_guard(const GuardDuty& duty);
 
 }  // namespace psicarve::guard

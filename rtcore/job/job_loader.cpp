@@ -46,19 +46,19 @@ JobLoader::JobLoader(const Profile& profile, bool has_thread) : profile_(std::ma
 void JobLoader::begin(std::shared_ptr<Segment> segment, std::uint64_t known_generation,
                       std::uint64_t generation) {
     is_busy_ = true;
-    auto look = [desk = desk_, profile = profile_, segment = std::move(segment), known_generation,
+    auto look = [exchange = exchange_, profile = profile_, segment = std::move(segment), known_generation,
                  generation] {
-        desk->outcome = look_at(*segment, known_generation, generation, *profile);
-        desk->has_outcome.store(true);
+        exchange->outcome = look_at(*segment, known_generation, generation, *profile);
+        exchange->has_outcome.store(true);
     };
     if (thread_ == nullptr) return look();
     is_busy_ = thread_->do_later(std::move(look));
 }
 
 std::optional<JobLoader::Outcome> JobLoader::take_outcome() {
-    if (!desk_->has_outcome.exchange(false)) return std::nullopt;
+    if (!exchange_->has_outcome.exchange(false)) return std::nullopt;
     is_busy_ = false;
-    return std::exchange(desk_->outcome, Outcome{});
+    return std::exchange(exchange_->outcome, Outcome{});
 }
 
 }  // namespace psicarve::supervisor

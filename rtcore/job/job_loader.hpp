@@ -38,12 +38,12 @@ public:
     std::optional<Outcome> take_outcome();
 
 private:
-    struct Desk {
+    struct Exchange {
         Outcome outcome;  ///< written before has_outcome
         std::atomic<bool> has_outcome{false};
     };
     std::shared_ptr<const Profile> profile_;
-    std::shared_ptr<Desk> desk_ = std::make_shared<Desk>();
+    std::shared_ptr<Exchange> exchange_ = std::make_shared<Exchange>();
     bool is_busy_ = false;
     std::unique_ptr<rtcore::SideThread> thread_;  ///< null: there is none
 };

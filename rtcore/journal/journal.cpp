@@ -47,13 +47,13 @@ std::string_view ending_of(MachineState last, MachineState entered) noexcept {
 
 Journal::Journal(const JournalStart& start) {
     if (start.place.folder.empty()) return;
-    desk_ = std::make_shared<JournalDesk>(start.place);
+    writer_ = std::make_shared<JournalWriter>(start.place);
     thread_ = std::make_unique<rtcore::SideThread>(rtcore::SideThread::Priority::low, kMostWaiting);
     put_always(JournalKind::core, "start", 0, facts_of_start(start));
 }
 
 bool Journal::may_put(JournalKind kind) noexcept {
-    return desk_ != nullptr &&
+    return writer_ != nullptr &&
            allowances_[static_cast<std::size_t>(kind)].take(std::chrono::steady_clock::now());
 }
 
@@ -68,9 +68,10 @@ void Journal::put_always(JournalKind kind, std::string what, std::uint64_t tick,
     record.kind = kind;
     record.what = std::move(what);
     record.facts = std::move(facts);
-    desk_->note_given();
-    const bool is_taken = thread_->do_later([desk = desk_, kept = std::move(record)] { desk->write(kept); });
-    if (!is_taken) desk_->note_lost(true);
+    writer_->note_given();
+    const bool is_taken =
+        thread_->do_later([writer = writer_, kept = std::move(record)] { writer->write(kept); });
+    if (!is_taken) writer_->note_lost(true);
 }
 
 void Journal::tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t tick) {
@@ -80,7 +81,7 @@ void Journal::tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t
 }
 
 void Journal::note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job) {
-    if (desk_ == nullptr) return;
+    if (writer_ == nullptr) return;
     const FlightRecord& record = report.record;
     switch (record.kind) {
         case RecordKind::alarm: {
@@ -153,7 +154,7 @@ void Journal::tell_missed(const cycle::Sample& sample) {
 }
 
 void Journal::note_round(const cycle::Sample& sample) {
-    if (desk_ == nullptr) return;
+    if (writer_ == nullptr) return;
     const auto now = std::chrono::steady_clock::now();
     for (std::size_t kind = 0; kind < kJournalKindCount; ++kind)
         tell_left_out(static_cast<JournalKind>(kind), allowances_[kind].take_left_out(now), sample.tick);
@@ -163,7 +164,7 @@ void Journal::note_round(const cycle::Sample& sample) {
 }
 
 void Journal::note_end(const cycle::Sample& sample) {
-    if (desk_ == nullptr) return;
+    if (writer_ == nullptr) return;
     for (std::size_t kind = 0; kind < kJournalKindCount; ++kind)
         tell_left_out(static_cast<JournalKind>(kind), allowances_[kind].take_rest(), sample.tick);
     tell_missed(sample);
@@ -171,7 +172,7 @@ void Journal::note_end(const cycle::Sample& sample) {
     facts.add("state", name_of(sample.state));
     if (sample.state == MachineState::alarm) facts.add("cause", name_of(sample.alarm_cause));
     put_always(JournalKind::core, "end", sample.tick, std::move(facts));
-    desk_ = nullptr;
+    writer_ = nullptr;
     thread_ = nullptr;  // waits for it
 }
 

@@ -10,7 +10,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/job/loaded_job.hpp"
 #include "rtcore/journal/journal_allowance.hpp"
-#include "rtcore/journal/journal_desk.hpp"
+#include "rtcore/journal/journal_writer.hpp"
 #include "rtcore/process/side_thread.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/record/journal.hpp"
@@ -56,7 +56,7 @@ private:
     bool may_put(JournalKind kind) noexcept;
 
     /// shared with the thread, which may outlive this; null: nothing is kept, or no longer
-    std::shared_ptr<JournalDesk> desk_;
+    std::shared_ptr<JournalWriter> writer_;
     std::array<JournalAllowance, kJournalKindCount> allowances_;
     MachineState state_ = MachineState::off;
     std::uint64_t missed_told_ = 0;

@@ -21,7 +21,7 @@ constexpr double kPsiShare = 0.25;
 constexpr double kTurnShare = 0.125;
 // The tube is looked at in the nodes; between them the curve may go a little further.
 constexpr double kTubeShare = 0.93;
-constexpr double kFlankShare = 0.75;
+constexpr double kBoundaryShare = 0.75;
 // A turn that goes over more than so much of its room is an easy one.
 constexpr double kSharpRoom = 2.0;
 // A fitted turn is slower than the widest parabola that the tube has room for: (du/dt)^2 as a share of that
@@ -58,7 +58,7 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
         const double psi_used_mm = psi_band_mm + 0.5 * psi_pulse_mm;
         const double used_mm =
             chord_mm > 0.0 ? (psi_used_mm * rise_mm + 0.5 * along_mm / scale) / chord_mm : 0.0;
-        const double share = rise_mm > along_mm ? kFlankShare : kTubeShare;
+        const double share = rise_mm > along_mm ? kBoundaryShare : kTubeShare;
         const double left_mm = std::max(share * tolerance_mm - used_mm, kPsiShare * tolerance_mm);
         const double widened_mm = along_mm > 0.0 ? left_mm * chord_mm / along_mm : left_mm + rise_mm;
         const double band_mm = std::min(widened_mm, left_mm + 0.25 * rise_mm);

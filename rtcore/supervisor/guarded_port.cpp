@@ -24,9 +24,9 @@ Result<std::variant<GuardedPort, int>> open_guarded_port(const CoreOptions& opti
             "psicarve-rtcore: no guard: if the core is killed, drives and spindle stay as they are\n");
         return Side{GuardedPort{std::move(*open), nullptr}};
     }
-    auto parted = guard::part_from_guard({.safe_state = port::SafeState{open->access(), *pin_map},
-                                          .segment_name = options.segment_name,
-                                          .group = options.group});
+    auto parted = guard::fork_guard({.safe_state = port::SafeState{open->access(), *pin_map},
+                                     .segment_name = options.segment_name,
+                                     .group = options.group});
     if (!parted) return parted.error();
     if (const int* exit_code = std::get_if<int>(&*parted)) return Side{*exit_code};
     auto link = std::make_unique<guard::GuardLink>(std::move(std::get<guard::GuardLink>(*parted)));

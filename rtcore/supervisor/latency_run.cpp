@@ -13,7 +13,7 @@
 
 #include "rtcore/realtime/clock.hpp"
 #include "rtcore/realtime/periodic.hpp"
-#include "rtcore/realtime/realtime_treatment.hpp"
+#include "rtcore/realtime/realtime_setup.hpp"
 #include "rtcore/supervisor/end_request.hpp"
 #include "shared/base/units.hpp"
 
@@ -74,18 +74,18 @@ void print_result(const rtcore::PeriodicStats& stats, const RealtimeFacts& facts
 
 int run_latency_measurement(const CoreOptions& options) {
     const sigset_t held = held_signals();
-    RealtimeWish wish;
+    RealtimeOptions wish;
     wish.cpu = options.cpu;
     wish.takes_any_cpu = options.takes_any_cpu;
     wish.priority = options.priority;
-    RealtimeTreatment treatment{wish};
+    RealtimeSetup setup{wish};
     const auto stats = std::make_unique<rtcore::PeriodicStats>();
-    treatment.touch_memory();
+    setup.touch_memory();
     std::atomic<bool> must_end{false};
     std::promise<void> is_treated;
     std::thread base{[&] {
-        treatment.treat_this_thread();
-        treatment.begin_counting();
+        setup.treat_this_thread();
+        setup.begin_counting();
         is_treated.set_value();
         rtcore::RealClock clock;
         rtcore::run_periodic(clock, {.period_ns = std::int64_t{options.measure_period_us} * kNsPerUs}, *stats,
@@ -105,7 +105,7 @@ int run_latency_measurement(const CoreOptions& options) {
         tell(n);
     }
     // Read from here, while it still ticks: reading is no part of what is measured.
-    const RealtimeFacts facts = treatment.facts();
+    const RealtimeFacts facts = setup.facts();
     must_end.store(true);
     base.join();
     print_result(*stats, facts);

@@ -44,7 +44,7 @@ LatenessFacts lateness_of(const TickThreads& threads) {
 
 /// The supervisor's own loop. Returns the exit code.
 int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
-          RealtimeTreatment& treatment, TickThreads& threads) {
+          RealtimeSetup& setup, TickThreads& threads) {
     MissedTicks missed{parts.profile.tick.missed_alarm_per_s};
     const std::chrono::nanoseconds answer_wait =
         std::max<std::chrono::nanoseconds>(kLeastAnswerWait, std::chrono::nanoseconds{parts.period_ns});
@@ -53,7 +53,7 @@ int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, 
         supervisor.note_round();
         if (supervisor.poll()) answer_rounds = kAnswerRounds;
         supervisor.set_lateness(lateness_of(threads));
-        supervisor.set_realtime(treatment.facts());
+        supervisor.set_realtime(setup.facts());
         move_traces(parts);
         // At rest a missed tick harms nothing.
         const bool moves = !is_at_rest(supervisor.sample().state);
@@ -83,16 +83,16 @@ int serve(CoreParts& parts, Supervisor& supervisor, const Directors& directors, 
 }  // namespace
 
 int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
-                      RealtimeTreatment& treatment) {
+                      RealtimeSetup& setup) {
     TickThreads threads;
     const bool has_two_timers = parts.profile.tick.schedule == Schedule::two_timer;
-    treatment.touch_memory();
+    setup.touch_memory();
     std::promise<bool> may_tick;
     const rtcore::HandlerStack handler_stack;
     std::thread base{[&] {
         const rtcore::HandlerStack own_handler_stack;
-        const bool may = treatment.treat_this_thread();
-        if (may) treatment.begin_counting();
+        const bool may = setup.treat_this_thread();
+        if (may) setup.begin_counting();
         may_tick.set_value(may);
         if (may) run_ticks(parts, directors.record, threads);
     }};
@@ -104,20 +104,20 @@ int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors&
     if (has_two_timers) {
         interpolation = std::thread{[&] {
             const rtcore::HandlerStack own_handler_stack;
-            treatment.treat_interpolation_thread();
+            setup.treat_interpolation_thread();
             run_interpolation(parts, threads);
         }};
     }
     std::atomic<bool> planner_must_end{false};
     std::thread planner{[&] { run_planner(*parts.planner, planner_must_end); }};
     supervisor.listen_for_stops();
-    const int exit_code = serve(parts, supervisor, directors, end, treatment, threads);
+    const int exit_code = serve(parts, supervisor, directors, end, setup, threads);
     threads.must_end.store(true);
     base.join();
     if (interpolation.joinable()) interpolation.join();
     planner_must_end.store(true);
     planner.join();
-    treatment.write_lateness(threads.stats, threads.interpolation_stats);
+    setup.write_lateness(threads.stats, threads.interpolation_stats);
     finish_traces_in_time(parts);
     return exit_code;
 }

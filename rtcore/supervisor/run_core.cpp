@@ -16,7 +16,7 @@
 #include "rtcore/port/fatal_signals.hpp"
 #include "rtcore/process/privileges.hpp"
 #include "rtcore/process/state_folder.hpp"
-#include "rtcore/realtime/realtime_treatment.hpp"
+#include "rtcore/realtime/realtime_setup.hpp"
 #include "rtcore/replay/recorded_job.hpp"
 #include "rtcore/replay/replay_script.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
@@ -109,8 +109,8 @@ SegmentOptions segment_options_of(const CoreOptions& options) {
     return segment;
 }
 
-RealtimeWish wish_of(const CoreOptions& options) {
-    RealtimeWish wish;
+RealtimeOptions wish_of(const CoreOptions& options) {
+    RealtimeOptions wish;
     wish.cpu = options.cpu;
     wish.takes_any_cpu = options.takes_any_cpu;
     wish.priority = options.priority;
@@ -135,7 +135,7 @@ bool tie_to_parent() {
 }
 
 int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& replay, EndRequest& end,
-             RealtimeTreatment* treatment) {
+             RealtimeSetup* setup) {
     JobDirector job_director;
     std::optional<RecordDirector> record_director;
     Directors directors;
@@ -147,8 +147,8 @@ int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& re
     } else if (replay) {
         directors.job = &job_director;
     }
-    return treatment == nullptr ? run_on_virtual_clock(parts, supervisor, directors, end)
-                                : run_on_real_clock(parts, supervisor, directors, end, *treatment);
+    return setup == nullptr ? run_on_virtual_clock(parts, supervisor, directors, end)
+                            : run_on_real_clock(parts, supervisor, directors, end, *setup);
 }
 
 Result<void> check_group_of_user(const rtcore::UserAccount& account, const CoreOptions& options) {
@@ -199,8 +199,8 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
         const auto published = publish_recorded_job(segment, replay->snapshot.job_blob);
         if (!published) return fail(published.error());
     }
-    std::optional<RealtimeTreatment> treatment;
-    if (options.clock == ClockKind::real) treatment.emplace(wish_of(options));
+    std::optional<RealtimeSetup> setup;
+    if (options.clock == ClockKind::real) setup.emplace(wish_of(options));
     leave_privileges(options);
     const Profile machine = request.machine;
     auto parts = build_core(options, profile, std::move(request));
@@ -213,7 +213,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
     if (replay && replay->script) supervisor.refuse_commands(message_of(MessageId::replaying));
     if (facts.is_virtual_clock && !replay) supervisor.load_left_job();
     supervisor.segment().sign_core();
-    const int exit_code = run_loop(**parts, supervisor, replay, end, treatment ? &*treatment : nullptr);
+    const int exit_code = run_loop(**parts, supervisor, replay, end, setup ? &*setup : nullptr);
     supervisor.leave();
     if (!options.piece_path.empty()) {
         const auto written = write_piece(options.piece_path, *(*parts)->machine, machine);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "rtcore/realtime/realtime_treatment.hpp"
+#include "rtcore/realtime/realtime_setup.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/end_request.hpp"
 #include "rtcore/supervisor/replay.hpp"
@@ -24,6 +24,6 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
 /// Three threads: tick, planner, and this one for the segment; what may block others do. Returns the exit
 /// code.
 int run_on_real_clock(CoreParts& parts, Supervisor& supervisor, const Directors& directors, EndRequest& end,
-                      RealtimeTreatment& treatment);
+                      RealtimeSetup& setup);
 
 }  // namespace psicarve::supervisor

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_io.hpp"
-#include "rtcore/realtime/realtime_treatment.hpp"
+#include "rtcore/realtime/realtime_setup.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/segment/segment.hpp"
 

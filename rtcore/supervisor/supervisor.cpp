@@ -54,8 +54,8 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     : parts_(&parts),
       segment_options_(segment_options),
       segment_(std::make_shared<Segment>(std::move(segment))),
-      ear_(segment_, parts.io->urgent),
-      desk_(parts.profile, ear_, piece_, facts.is_virtual_clock),
+      listener_(segment_, parts.io->urgent),
+      server_(parts.profile, listener_, piece_, facts.is_virtual_clock),
       mirror_(facts),
       piece_({parts.state_folder, segment_options.name, facts.is_simulator, profile_hash(parts.profile)}),
       journal_({{parts.state_folder, segment_options.name, facts.is_simulator},
@@ -73,9 +73,10 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
         recording_.put(segment_->header(), token, bytes, std::chrono::steady_clock::now());
     });
-    desk_.set_answer_taker([this](const ReceivedCommand& received, AnswerKind kind, const Message& message) {
-        journal_.note_answer(received, kind, message, sample_.tick);
-    });
+    server_.set_answer_taker(
+        [this](const ReceivedCommand& received, AnswerKind kind, const Message& message) {
+            journal_.note_answer(received, kind, message, sample_.tick);
+        });
     publish_status();
 }
 
@@ -92,7 +93,7 @@ bool Supervisor::poll(Hearing hearing) {
     const bool takes_requests = hearing == Hearing::everything;
     sample_ = read_sample();
     // What was asked for first; everything else may take its time.
-    bool handed_on = ear_.look();
+    bool handed_on = listener_.look();
     if (takes_requests) handed_on = take_requests() || handed_on;
     promptness_.lower();
     check_segment();
@@ -105,7 +106,7 @@ bool Supervisor::poll(Hearing hearing) {
     journal_.note_round(sample_);
     publish_status();
     // Who raised something that was not taken wakes us at once.
-    if (takes_requests) wake_seen_ = desk_.has_more() ? wake_count - 1 : wake_count;
+    if (takes_requests) wake_seen_ = server_.has_more() ? wake_count - 1 : wake_count;
     return handed_on;
 }
 
@@ -116,8 +117,8 @@ bool Supervisor::take_requests() {
     const std::size_t requests_before = parts_->io->requests.size();
     take_job();
     const LoadedJob* const job = loading_job_ != nullptr ? loading_job_.get() : job_.get();
-    desk_.note_seen(seen_generation_);
-    desk_.take_commands(*segment_, parts_->io->requests, sample_, job);
+    server_.note_seen(seen_generation_);
+    server_.take_commands(*segment_, parts_->io->requests, sample_, job);
     return parts_->io->requests.size() > requests_before;
 }
 
@@ -139,14 +140,14 @@ bool Supervisor::request(cycle::RequestKind kind, std::uint64_t value, std::uint
 void Supervisor::mirror_jog_lease() {
     const std::uint64_t word = segment_->header().jog_lease.load(std::memory_order_acquire);
     const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed) &&
-                            jog_lease_token(word) == desk_.jog_token();
+                            jog_lease_token(word) == server_.jog_token();
     const bool is_leased = sample_.state == MachineState::moving || sample_.state == MachineState::testing;
     if (!is_virtual_clock_ || !is_leased || is_renewed) {
         jog_renewed_ = std::chrono::steady_clock::now();
     }
     parts_->io->urgent.jog_lease.store(word, std::memory_order_release);
-    if (!is_virtual_clock_ || desk_.jog_lease().count() == 0) return;
-    if (std::chrono::steady_clock::now() - jog_renewed_ < desk_.jog_lease()) return;
+    if (!is_virtual_clock_ || server_.jog_lease().count() == 0) return;
+    if (std::chrono::steady_clock::now() - jog_renewed_ < server_.jog_lease()) return;
     if (request(cycle::RequestKind::end_jog, static_cast<std::uint64_t>(MoveEnd::lease_gone)))
         jog_renewed_ = std::chrono::steady_clock::now();
 }
@@ -257,7 +258,7 @@ void Supervisor::drain_reports() {
             if (loading_job_ != nullptr) finish_job(report);
         } else {
             publish_status();
-            desk_.deliver_answer(*segment_, report, sample_);
+            server_.deliver_answer(*segment_, report, sample_);
         }
     }
 }
@@ -318,7 +319,7 @@ void Supervisor::watch_guard() {
     if (parts_->guard == nullptr) return;
     // For ever: without it nothing moves any more, whoever resets the alarm.
     const bool is_lost = parts_->guard->is_guard_lost(std::chrono::steady_clock::now());
-    desk_.keep_in_alarm(is_lost);
+    server_.keep_in_alarm(is_lost);
     if (sample_.state == MachineState::alarm) {
         is_guard_lost_told_ = false;
     } else if (is_lost && !is_guard_lost_told_) {
@@ -359,11 +360,11 @@ void Supervisor::take_new_segment() {
     auto fresh = Segment::create_or_attach(options);
     if (!fresh) return;
     if (!fresh->claim_core() || !fresh->fit_rights(options.group)) return;
-    desk_.forget_all();
+    server_.forget_all();
     flight_log_.begin_anew();
     segment_ = std::make_shared<Segment>(std::move(*fresh));
     introduce();
-    ear_.turn_to(segment_);
+    listener_.turn_to(segment_);
     judged_generation_ = 0;
     seen_generation_ = 0;
     is_look_stale_ = true;

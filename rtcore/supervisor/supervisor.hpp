@@ -12,12 +12,12 @@
 #include "rtcore/job/loaded_job.hpp"
 #include "rtcore/journal/journal.hpp"
 #include "rtcore/realtime/promptness.hpp"
-#include "rtcore/supervisor/command_desk.hpp"
+#include "rtcore/supervisor/command_server.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/pin_recording.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
-#include "rtcore/supervisor/urgent_ear.hpp"
+#include "rtcore/supervisor/stop_listener.hpp"
 #include "shared/segment/segment.hpp"
 
 namespace psicarve::supervisor {
@@ -27,7 +27,7 @@ namespace psicarve::supervisor {
 enum class Hearing : std::uint8_t { everything, urgent_words };
 
 /// Serves the segment: jobs and commands in, status, increments and flight recorder out, all through the
-/// lock-free rings to the tick. Besides its UrgentEar nothing in the core touches shared memory. One
+/// lock-free rings to the tick. Besides its StopListener nothing in the core touches shared memory. One
 /// thread's; not for the tick.
 class Supervisor {
 public:
@@ -45,12 +45,12 @@ public:
     void wait(std::chrono::nanoseconds limit) noexcept;
     /// The tick has been asked for something, and what came of it is not known yet.
     bool awaits_answer() const noexcept {
-        return desk_.awaits_answer() || loading_job_ != nullptr || loader_.is_busy();
+        return server_.awaits_answer() || loading_job_ != nullptr || loader_.is_busy();
     }
 
     /// On the real clock, once the tick runs: stops are heard between any two rounds, too, by a thread of
     /// their own.
-    void listen_for_stops() { ear_.listen(); }
+    void listen_for_stops() { listener_.listen(); }
 
     /// Before anybody may publish, on the virtual clock: the job that an earlier core has left is loaded
     /// while the machine settles, and no tick passes for it later.
@@ -74,14 +74,14 @@ public:
         is_machine_frozen_ = true;
     }
     /// From here on every command is refused with this reason, but for shutdown.
-    void refuse_commands(const Message& why) noexcept { desk_.refuse_all(why); }
+    void refuse_commands(const Message& why) noexcept { server_.refuse_all(why); }
 
     /// On the virtual clock: time stands still until whoever has the pins recorded has read more, or is gone.
     bool must_wait_for_reader() const noexcept {
         return is_virtual_clock_ && recording_.is_reader_behind(segment_->header());
     }
 
-    bool shutdown_requested() const noexcept { return desk_.shutdown_requested(); }
+    bool shutdown_requested() const noexcept { return server_.shutdown_requested(); }
     const cycle::Sample& sample() const noexcept { return sample_; }
     Segment& segment() noexcept { return *segment_; }
     /// The last thing: status as it stands, and nobody serves the segment any more.
@@ -115,8 +115,8 @@ private:
     CoreParts* parts_;
     SegmentOptions segment_options_;
     std::shared_ptr<Segment> segment_;  ///< with whoever looks at a job in it
-    UrgentEar ear_;                     ///< at segment_
-    CommandDesk desk_;
+    StopListener listener_;             ///< at segment_
+    CommandServer server_;
     StatusMirror mirror_;
     PinRecording recording_;
     PieceMemory piece_;

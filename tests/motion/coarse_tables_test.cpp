@@ -111,11 +111,11 @@ struct CoarseHead {
     Joining joining = Joining::continuous;
 };
 
-class Flanks : public ::testing::TestWithParam<CoarseHead> {};
+class Boundaries : public ::testing::TestWithParam<CoarseHead> {};
 
 // Cut on the chord, the heads and the table are at one place of it: no head may be far ahead of that by its
 // curve.
-TEST_P(Flanks, OfHeadsCoarserThanTheToleranceObeyTheFourRules) {
+TEST_P(Boundaries, OfHeadsCoarserThanTheToleranceObeyTheFourRules) {
     Profile profile;
     profile.job.path_tolerance_mm = GetParam().tolerance_mm;
     profile.r2.pulses_per_mm = GetParam().right_pulses_per_mm;
@@ -124,7 +124,7 @@ TEST_P(Flanks, OfHeadsCoarserThanTheToleranceObeyTheFourRules) {
     EXPECT_TRUE(result.report.ok) << verify::report_text(result.report);
 }
 
-INSTANTIATE_TEST_SUITE_P(CoarseTables, Flanks,
+INSTANTIATE_TEST_SUITE_P(CoarseTables, Boundaries,
                          ::testing::Values(CoarseHead{"TeethRightCoarse", teeth_mm, 0.01, 90.0, 300},
                                            CoarseHead{"Teeth", teeth_mm, 0.002, 400.0, 500},
                                            CoarseHead{"TeethDense", teeth_mm, 0.0024, 400.0, 1500},

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "hmi/verify/motor/pulse_train.hpp"
+#include "hmi/verify/motor/train_follower.hpp"
 #include "rtcore/sim/motor.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
 

@@ -8,16 +8,16 @@ namespace psicarve::verify {
 
 namespace {
 
-using Side = StateFlank::Side;
+using Side = ReachBoundary::Side;
 
-constexpr std::size_t kThinAbove = 28;  ///< corners of both flanks
+constexpr std::size_t kThinAbove = 28;  ///< corners of both boundaries
 constexpr double kThinPulses = 5e-4;
 constexpr int kRestCorners = 12;
 
-/// Reads a flank at rising speeds.
-class FlankWalk {
+/// Reads a boundary at rising speeds.
+class BoundaryWalk {
 public:
-    explicit FlankWalk(const StateFlank& flank) : flank_(flank) {}
+    explicit BoundaryWalk(const ReachBoundary& boundary) : flank_(boundary) {}
     bool covers(double speed) const { return speed >= flank_.slowest() && speed <= flank_.fastest(); }
     double reach_at(double speed) {
         while (next_ + 1 < flank_.size() && flank_.speed(next_) < speed) ++next_;
@@ -28,16 +28,16 @@ public:
     }
 
 private:
-    const StateFlank& flank_;
+    const ReachBoundary& flank_;
     std::size_t next_ = 0;
 };
 
-/// Whether the hull's flank is nowhere further than `tolerance` beyond the two that it was made of. Looks at
-/// all corners and half-way between them.
-bool is_tight(const StateFlank& hull, const StateFlank& a, const StateFlank& b, double tolerance) {
-    FlankWalk walk(hull);
-    FlankWalk walk_a(a);
-    FlankWalk walk_b(b);
+/// Whether the hull's boundary is nowhere further than `tolerance` beyond the two that it was made of. Looks
+/// at all corners and half-way between them.
+bool is_tight(const ReachBoundary& hull, const ReachBoundary& a, const ReachBoundary& b, double tolerance) {
+    BoundaryWalk walk(hull);
+    BoundaryWalk walk_a(a);
+    BoundaryWalk walk_b(b);
     const auto fits = [&](double speed) {
         const double level = walk.reach_at(speed) - tolerance;
         return (walk_a.covers(speed) && walk_a.reach_at(speed) >= level) ||
@@ -56,25 +56,25 @@ bool is_tight(const StateFlank& hull, const StateFlank& a, const StateFlank& b, 
 /// A cheap test at the place where hulls usually stand out: half-way to the second slowest corner. True only
 /// if `is_tight` would return false: the hull reaches at least as far as the straight line from its slowest
 /// corner to any other.
-bool is_loose_above_slowest(const StateFlank& a, const StateFlank& b, double tolerance) {
+bool is_loose_above_slowest(const ReachBoundary& a, const ReachBoundary& b, double tolerance) {
     constexpr double kLookMargin_pulses = 1e-6;
     if (a.slowest() != b.slowest() || a.size() < 2 || b.size() < 2) return false;
-    if (std::max(a.size(), b.size()) > StateFlank::kMostExactlyJoined) return false;
+    if (std::max(a.size(), b.size()) > ReachBoundary::kMostExactlyJoined) return false;
     // After a run too short to change a speed two corners may have the same one: no line leads from one to
     // the other.
     if (a.speed(1) <= a.slowest() || b.speed(1) <= b.slowest()) return false;
     const double slowest = a.slowest();
     const double reach = std::max(a.reach(0), b.reach(0));
     const double way = 0.5 * (slowest + std::min(a.speed(1), b.speed(1))) - slowest;
-    const auto rise_of = [&](const StateFlank& flank) {
-        const double rise = (flank.reach(1) - flank.reach(0)) / (flank.speed(1) - slowest);
-        return flank.reach(0) + rise * way - reach;
+    const auto rise_of = [&](const ReachBoundary& boundary) {
+        const double rise = (boundary.reach(1) - boundary.reach(0)) / (boundary.speed(1) - slowest);
+        return boundary.reach(0) + rise * way - reach;
     };
     const double rise =
         std::max(rise_of(a), rise_of(b)) + tolerance + kThinPulses + kLookMargin_pulses;  // that may be
-    const auto stands_out = [&](const StateFlank& flank) {
-        for (std::size_t i = 1; i < flank.size(); ++i) {
-            if ((flank.reach(i) - reach) * way > rise * (flank.speed(i) - slowest)) return true;
+    const auto stands_out = [&](const ReachBoundary& boundary) {
+        for (std::size_t i = 1; i < boundary.size(); ++i) {
+            if ((boundary.reach(i) - reach) * way > rise * (boundary.speed(i) - slowest)) return true;
         }
         return false;
     };
@@ -86,8 +86,8 @@ bool is_loose_above_slowest(const StateFlank& a, const StateFlank& b, double tol
 StateSet StateSet::box(Range positions, Range speeds) {
     StateSet set;
     if (positions.is_empty() || speeds.is_empty()) return set;
-    set.right_ = StateFlank(Side::right, speeds, positions.high);
-    set.left_ = StateFlank(Side::left, speeds, -positions.low);
+    set.right_ = ReachBoundary(Side::right, speeds, positions.high);
+    set.left_ = ReachBoundary(Side::left, speeds, -positions.low);
     return set;
 }
 
@@ -97,12 +97,12 @@ StateSet StateSet::rest(Range room, double slowest, double fastest, double accel
     const double top = std::min(fastest, std::sqrt(slowest * slowest + 2.0 * accel * width));
     if (top <= slowest) return {};
     StateSet set = box(room, {slowest, top});
-    StateFlank left(Side::left, {slowest, slowest}, -room.low);
+    ReachBoundary left(Side::left, {slowest, slowest}, -room.low);
     for (int i = 1; i <= kRestCorners; ++i) {
         const double speed = slowest + (top - slowest) * i / kRestCorners;
         const double way = (speed * speed - slowest * slowest) / (2.0 * accel);
-        const StateFlank slower = left;
-        left.join(slower, StateFlank(Side::left, {speed, speed}, -(room.low + std::min(way, width))));
+        const ReachBoundary slower = left;
+        left.join(slower, ReachBoundary(Side::left, {speed, speed}, -(room.low + std::min(way, width))));
     }
     set.left_ = left;
     set.left_.keep_speeds({slowest, top});
@@ -127,7 +127,7 @@ void StateSet::thin() noexcept {
     left_.thin(kThinPulses);
 }
 
-void StateSet::keep(StateFlank& capped, StateFlank& opposite, double level) noexcept {
+void StateSet::keep(ReachBoundary& capped, ReachBoundary& opposite, double level) noexcept {
     if (is_empty() || !capped.reaches_beyond(level)) return;
     const Range speeds = opposite.speeds_reaching(-level);
     if (speeds.is_empty()) {
@@ -149,7 +149,7 @@ void StateSet::keep_speeds(Range speeds) noexcept {
 }
 
 bool StateSet::extend_slowest(Range row, double exact_from, double tolerance) noexcept {
-    // Each flank by itself adds only true states, so one may succeed without the other.
+    // Each boundary by itself adds only true states, so one may succeed without the other.
     return right_.extend_slowest(row.high, exact_from, tolerance) &&
            left_.extend_slowest(-row.low, exact_from, tolerance);
 }

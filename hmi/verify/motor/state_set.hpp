@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "hmi/verify/motor/state_flank.hpp"
+#include "hmi/verify/motor/reach_boundary.hpp"
 
 namespace psicarve::verify {
 
@@ -19,8 +19,8 @@ public:
     double slowest() const noexcept { return right_.slowest(); }
     double fastest() const noexcept { return right_.fastest(); }
     std::size_t corners() const noexcept { return right_.size() + left_.size(); }
-    const StateFlank& flank(StateFlank::Side side) const noexcept {
-        return side == StateFlank::Side::right ? right_ : left_;
+    const ReachBoundary& boundary(ReachBoundary::Side side) const noexcept {
+        return side == ReachBoundary::Side::right ? right_ : left_;
     }
     /// Positions at its slowest speed.
     Range slowest_row() const noexcept { return {-left_.reach(0), right_.reach(0)}; }
@@ -38,18 +38,18 @@ public:
     void keep_above(double position) noexcept { keep(left_, right_, -position); }
     void keep_speeds(Range speeds) noexcept;
 
-    /// Adds positions at its slowest speed, and the convex hull; see StateFlank::extend_slowest.
+    /// Adds positions at its slowest speed, and the convex hull; see ReachBoundary::extend_slowest.
     bool extend_slowest(Range row, double exact_from, double tolerance) noexcept;
     /// The convex hull of both, when that adds no position further than `tolerance` from them.
     bool try_join(const StateSet& other, double tolerance) noexcept;
     void join(const StateSet& other) noexcept;
 
 private:
-    void keep(StateFlank& capped, StateFlank& opposite, double level) noexcept;
+    void keep(ReachBoundary& capped, ReachBoundary& opposite, double level) noexcept;
     void thin() noexcept;
 
-    StateFlank right_;
-    StateFlank left_;
+    ReachBoundary right_;
+    ReachBoundary left_;
 };
 
 }  // namespace psicarve::verify

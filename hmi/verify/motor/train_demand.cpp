@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hmi/verify/motor/pulse_train.hpp"
+#include "hmi/verify/motor/train_follower.hpp"
 
 namespace psicarve::verify {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "hmi/verify/motor/state_flank.hpp"
+#include "hmi/verify/motor/reach_boundary.hpp"
 
 namespace psicarve::verify {
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "hmi/verify/motor/pulse_train.hpp"
+#include "hmi/verify/motor/train_follower.hpp"
 #include "hmi/verify/verifier.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
 #include "tests/hmi/verify/perfect_machine.hpp"

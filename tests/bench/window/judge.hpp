@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace psicarve::bench {
+namespace psicarve::context {
 
 /// Holds what was measured against what is promised.
 class Judge {
@@ -26,4 +26,4 @@ private:
     Verdict verdict_ = Verdict::kept;
 };
 
-}  // namespace psicarve::bench
+}  // namespace psicarve::context

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace psicarve::bench {
+namespace psicarve::context {
 namespace {
 
 double now_ms(clockid_t clock) {
@@ -69,4 +69,4 @@ std::vector<Turn> WatchedApplication::take_turns() {
     return std::exchange(turns_, {});
 }
 
-}  // namespace psicarve::bench
+}  // namespace psicarve::context

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace psicarve::bench {
+namespace psicarve::context {
 
 /// How long the window's thread was busy with one thing.
 struct Turn {
@@ -42,4 +42,4 @@ private:
     std::vector<Turn> turns_;
 };
 
-}  // namespace psicarve::bench
+}  // namespace psicarve::context

@@ -53,8 +53,8 @@ double process_ms() {
     return static_cast<double>(used.tv_sec) * 1e3 + static_cast<double>(used.tv_nsec) * 1e-6;
 }
 
-int judged(bench::Judge::Verdict verdict) {
-    using V = bench::Judge::Verdict;
+int judged(context::Judge::Verdict verdict) {
+    using V = context::Judge::Verdict;
     std::puts(verdict == V::kept ? "judged: all that is promised is kept"
               : verdict == V::disturbed
                   ? "judged: over a limit, but not by its own work; measure again with less beside it"
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     const int points = argc > sizes + 1 ? std::atoi(argv[sizes + 1]) : kUsual;
     const char* path = std::getenv("PATH");
     setenv("PATH", (in_build("bin:") + (path != nullptr ? path : "")).c_str(), 1);
-    bench::WatchedApplication application{argc, argv};
+    context::WatchedApplication application{argc, argv};
     QApplication::setStyle("Fusion");
     const QTemporaryDir folder;
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
@@ -93,9 +93,9 @@ int main(int argc, char** argv) {
                 drawing == ui::Drawing::opengl ? "OpenGL" : "QPainter", probe.renderer.toUtf8().constData());
     const double start_ms = age_ms();
     std::printf("start to usable window: %.0f ms, of the %.0f ms wanted\n", start_ms, kStartLimit_ms);
-    bench::Judge judge;
+    context::Judge judge;
     judge.look(start_ms, process_ms(), kStartLimit_ms);
-    bench::print_memory("of the empty window");
+    context::print_memory("of the empty window");
     machine::CoreLaunch launch;
     launch.segment_name = segment;
     launch.is_private = true;
@@ -108,10 +108,10 @@ int main(int argc, char** argv) {
     }
     window.findChild<QSpinBox*>("layers")->setValue(layers);
     window.findChild<QSpinBox*>("points")->setValue(points);
-    const bool is_done = bench::load_and_slice(application, window, folder.path().toStdString(), judge) &&
-                         bench::carve(application, window, judge) &&
-                         bench::press_buttons(application, window, judge) &&
-                         bench::lose_core(application, window, core->pid(), judge);
+    const bool is_done = context::load_and_slice(application, window, folder.path().toStdString(), judge) &&
+                         context::carve(application, window, judge) &&
+                         context::press_buttons(application, window, judge) &&
+                         context::lose_core(application, window, core->pid(), judge);
     if (!is_done) return 1;
     return judges ? judged(judge.verdict()) : 0;
 }

@@ -20,10 +20,10 @@
 #include "tests/bench/slice/measure.hpp"
 #include "tests/bench/slice/relief_mesh.hpp"
 
-namespace psicarve::bench {
+namespace psicarve::context {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 using Clock = std::chrono::steady_clock;
 using S = MachineState;
 
@@ -76,13 +76,13 @@ void press(QAbstractButton& button) {
     QApplication::sendEvent(&button, &up);
 }
 
-const session::MachineSight& sight(ui::MainWindow& window) {
-    return window.bench().machine.sight();
+const session::MachineView& machine_view(ui::MainWindow& window) {
+    return window.context().machine.view();
 }
 
 bool comes_to(WatchedApplication& application, ui::MainWindow& window, S state) {
-    return application.run_until([&] { return sight(window).is_heard() && sight(window).state() == state; },
-                                 60.0);
+    return application.run_until(
+        [&] { return machine_view(window).is_heard() && machine_view(window).state() == state; }, 60.0);
 }
 
 bool click(WatchedApplication& application, ui::MainWindow& window, const char* name) {
@@ -114,7 +114,7 @@ double part_of(const std::vector<double>& sorted, double part) {
 
 /// A carving from its begin, whatever the machine does.
 bool start_anew(WatchedApplication& application, ui::MainWindow& window) {
-    if (sight(window).state() == S::carving) window.bench().machine.stop();
+    if (machine_view(window).state() == S::carving) window.context().machine.stop();
     return comes_to(application, window, S::ready) && click(application, window, "start") &&
            comes_to(application, window, S::carving);
 }
@@ -126,7 +126,8 @@ double busy_ms_per_s(WatchedApplication& application, ui::MainWindow& window, in
     application.take_turns();
     application.take_paints_ms();
     const auto begin = Clock::now();
-    application.run_until([&] { return since_ms(begin) > kWatch_ms || sight(window).state() != S::carving; });
+    application.run_until(
+        [&] { return since_ms(begin) > kWatch_ms || machine_view(window).state() != S::carving; });
     double busy_ms = 0.0;
     for (const Turn& turn : application.take_turns()) busy_ms += turn.cpu_ms;
     return busy_ms / since_ms(begin) * 1e3;
@@ -159,13 +160,13 @@ void print_longest(WatchedApplication& application, const char* stage, Judge& ju
 bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, const std::string& folder,
                     Judge& judge) {
     const std::string path = write_stl(relief_mesh(kTriangles), folder);
-    session::JobDesk& desk = window.bench().desk;
+    session::OpenJob& desk = window.context().open_job;
     tabs(window).setCurrentIndex(kModelTab);
     application.run_for(0.5);
     application.take_turns();
     auto begin = Clock::now();
     window.open(QString::fromStdString(path));
-    if (!application.run_until([&] { return desk.sight().state == DeskState::model; })) return false;
+    if (!application.run_until([&] { return desk.view().state == OpenJobState::model; })) return false;
     std::printf("%zu triangles: opened in %.0f ms\n", desk.mesh()->triangles.size(), since_ms(begin));
     print_longest(application, "opening", judge);
     auto* const view = static_cast<ui::MeshView*>(window.findChild<QWidget*>("model_view"));
@@ -182,7 +183,7 @@ bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, con
     print_longest(application, "looking for undercut", judge);
     begin = Clock::now();
     if (!click(application, window, "slice")) return false;
-    if (!application.run_until([&] { return desk.sight().state == DeskState::job; }, kSliceLimit_s))
+    if (!application.run_until([&] { return desk.view().state == OpenJobState::job; }, kSliceLimit_s))
         return false;
     std::printf("sliced in %.0f ms\n", since_ms(begin));
     application.run_for(0.5);
@@ -196,7 +197,9 @@ bool load_and_slice(WatchedApplication& application, ui::MainWindow& window, con
 
 bool carve(WatchedApplication& application, ui::MainWindow& window, Judge& judge) {
     if (!click(application, window, "publish")) return false;
-    const auto is_published = [&] { return window.bench().desk.sight().state == DeskState::published; };
+    const auto is_published = [&] {
+        return window.context().open_job.view().state == OpenJobState::published;
+    };
     if (!application.run_until(is_published, 60.0)) return false;
     tabs(window).setCurrentIndex(kCarvingTab);
     application.run_for(1.0);
@@ -208,7 +211,7 @@ bool carve(WatchedApplication& application, ui::MainWindow& window, Judge& judge
     auto frames_ms = application.take_paints_ms();
     std::erase_if(frames_ms, [](double ms) { return ms < kDrawnAnew_ms; });
     std::sort(frames_ms.begin(), frames_ms.end());
-    const auto& job = window.bench().desk.job()->view;
+    const auto& job = window.context().open_job.job()->view;
     std::printf(
         "carving view, %u x %u points beside the core: %zu frames drawn anew, median %.2f ms, p99 %.2f ms, "
         "max %.2f "
@@ -224,7 +227,7 @@ bool carve(WatchedApplication& application, ui::MainWindow& window, Judge& judge
 }
 
 bool press_buttons(WatchedApplication& application, ui::MainWindow& window, Judge& judge) {
-    auto link = machine::MachineLink::attach(window.bench().machine.options().segment_name);
+    auto link = machine::MachineLink::attach(window.context().machine.options().segment_name);
     if (!link) return false;
     std::vector<double> pressed_ms;
     std::vector<double> sent_ms;
@@ -272,4 +275,4 @@ bool lose_core(WatchedApplication& application, ui::MainWindow& window, pid_t co
     return true;
 }
 
-}  // namespace psicarve::bench
+}  // namespace psicarve::context

@@ -9,7 +9,7 @@
 #include "tests/bench/window/judge.hpp"
 #include "tests/bench/window/watched_application.hpp"
 
-namespace psicarve::bench {
+namespace psicarve::context {
 
 /// Memory of this process [MB]: all of it, and what is its own.
 void print_memory(const char* when);
@@ -31,4 +31,4 @@ bool press_buttons(WatchedApplication& application, ui::MainWindow& window, Judg
 /// From the death of the core, killed at work, until the window has said so.
 bool lose_core(WatchedApplication& application, ui::MainWindow& window, pid_t core, Judge& judge);
 
-}  // namespace psicarve::bench
+}  // namespace psicarve::context

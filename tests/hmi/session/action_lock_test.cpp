@@ -16,8 +16,8 @@ using test::limit_alarm;
 using test::machine_in;
 using S = MachineState;
 
-std::string lock(Action action, const MachineSight& machine, DeskState desk = DeskState::published) {
-    const auto why = lock_of(action, machine, JobSight{desk, false, 10});
+std::string lock(Action action, const MachineView& machine, OpenJobState desk = OpenJobState::published) {
+    const auto why = lock_of(action, machine, OpenJobView{desk, false, 10});
     return why ? in_english(*why) : "";
 }
 
@@ -25,7 +25,7 @@ std::vector<S> states_that_allow(Action action) {
     std::vector<S> allowed;
     for (std::uint8_t i = 0; i < kMachineStateCount; ++i) {
         const auto state = static_cast<S>(i);
-        if (lock(action, machine_in(state), DeskState::job).empty()) allowed.push_back(state);
+        if (lock(action, machine_in(state), OpenJobState::job).empty()) allowed.push_back(state);
     }
     return allowed;
 }
@@ -47,13 +47,14 @@ TEST(ActionLock, NamesTheAxisThatIsNotHomed) {
 }
 
 TEST(ActionLock, NeverStartsAnotherJobThanTheOneThatIsOpen) {
-    EXPECT_EQ(lock(Action::start, machine_in(S::ready), DeskState::model),
+    EXPECT_EQ(lock(Action::start, machine_in(S::ready), OpenJobState::model),
               "Start: slice the model, then publish the job");
-    EXPECT_EQ(lock(Action::start, machine_in(S::ready), DeskState::job), "Start: the job is not published");
-    EXPECT_EQ(lock(Action::start, machine_in(S::ready), DeskState::empty), "");
-    MachineSight machine = machine_in(S::ready);
+    EXPECT_EQ(lock(Action::start, machine_in(S::ready), OpenJobState::job),
+              "Start: the job is not published");
+    EXPECT_EQ(lock(Action::start, machine_in(S::ready), OpenJobState::empty), "");
+    MachineView machine = machine_in(S::ready);
     machine.status->job_generation = 0;
-    EXPECT_EQ(lock(Action::start, machine, DeskState::empty), "Start: no job is published");
+    EXPECT_EQ(lock(Action::start, machine, OpenJobState::empty), "Start: no job is published");
 }
 
 TEST(ActionLock, LocksOneLayerWithTheStartAndWhileTheHeadsWait) {
@@ -65,7 +66,7 @@ TEST(ActionLock, LocksOneLayerWithTheStartAndWhileTheHeadsWait) {
 }
 
 TEST(ActionLock, KeepsTheAlarmUntilItsCauseIsGone) {
-    MachineSight machine = limit_alarm(Axis::r2);
+    MachineView machine = limit_alarm(Axis::r2);
     EXPECT_EQ(lock(Action::reset_alarm, machine), "Switch R2 is still closed");
     EXPECT_EQ(lock(Action::back_off, machine), "");
     machine.status->signals = 0;
@@ -76,7 +77,7 @@ TEST(ActionLock, KeepsTheAlarmUntilItsCauseIsGone) {
 }
 
 TEST(ActionLock, LocksAllMotionWithoutACoreThatIsHeard) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.life = CoreLife::none;
     EXPECT_EQ(lock(Action::start, machine), "No core serves the segment");
     machine.life = CoreLife::silent;
@@ -86,15 +87,15 @@ TEST(ActionLock, LocksAllMotionWithoutACoreThatIsHeard) {
 }
 
 TEST(ActionLock, SlicesMeshesAlone) {
-    const auto slicing = [](DeskState desk, bool can_be_sliced) {
-        const auto why = lock_of(Action::slice, MachineSight{}, JobSight{desk, can_be_sliced, 0});
+    const auto slicing = [](OpenJobState desk, bool can_be_sliced) {
+        const auto why = lock_of(Action::slice, MachineView{}, OpenJobView{desk, can_be_sliced, 0});
         return why ? in_english(*why) : "";
     };
-    EXPECT_EQ(slicing(DeskState::model, true), "");
-    EXPECT_EQ(slicing(DeskState::published, true), "");
-    EXPECT_EQ(slicing(DeskState::empty, false), "Slice: open a model first");
-    EXPECT_EQ(slicing(DeskState::job, false), "Slice: this is a job, and already sliced");
-    EXPECT_EQ(slicing(DeskState::slicing, true), "Slice: a job is being made");
+    EXPECT_EQ(slicing(OpenJobState::model, true), "");
+    EXPECT_EQ(slicing(OpenJobState::published, true), "");
+    EXPECT_EQ(slicing(OpenJobState::empty, false), "Slice: open a model first");
+    EXPECT_EQ(slicing(OpenJobState::job, false), "Slice: this is a job, and already sliced");
+    EXPECT_EQ(slicing(OpenJobState::slicing, true), "Slice: a job is being made");
 }
 
 TEST(CoreLife, TurnsLateThenSilent) {
@@ -105,9 +106,9 @@ TEST(CoreLife, TurnsLateThenSilent) {
     EXPECT_EQ(core_life(false, milliseconds{0}), CoreLife::none);
 }
 
-std::string failing_check(const MachineSight& machine, DeskState desk) {
+std::string failing_check(const MachineView& machine, OpenJobState desk) {
     std::string failing;
-    for (const Check& check : preflight_checks(machine, JobSight{desk, false, 10})) {
+    for (const Check& check : preflight_checks(machine, OpenJobView{desk, false, 10})) {
         if (check.verdict == Check::Verdict::fail)
             failing += in_english(check.name) + ": " + in_english(check.detail) + "; ";
     }
@@ -115,49 +116,49 @@ std::string failing_check(const MachineSight& machine, DeskState desk) {
 }
 
 TEST(Preflight, SaysWhatIsMissing) {
-    EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::published), "");
-    EXPECT_EQ(failing_check(machine_in(S::off, 0x3), DeskState::published), "Axes homed: Ψ Y; ");
-    EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
-    EXPECT_EQ(failing_check(limit_alarm(Axis::r1), DeskState::published),
+    EXPECT_EQ(failing_check(machine_in(S::ready), OpenJobState::published), "");
+    EXPECT_EQ(failing_check(machine_in(S::off, 0x3), OpenJobState::published), "Axes homed: Ψ Y; ");
+    EXPECT_EQ(failing_check(machine_in(S::ready), OpenJobState::job), "Job published: publish first; ");
+    EXPECT_EQ(failing_check(limit_alarm(Axis::r1), OpenJobState::published),
               "No alarm: reset first; Limits clear: R1 closed; Axes homed: R1; ");
-    EXPECT_EQ(failing_check(MachineSight{}, DeskState::empty), "Core alive: no core; ");
+    EXPECT_EQ(failing_check(MachineView{}, OpenJobState::empty), "Core alive: no core; ");
 }
 
 TEST(Preflight, FailsWithAnyLimitClosedAndNamesEach) {
     for (const auto& [axis, said] : {std::pair{Axis::r1, "R1"}, {Axis::r2, "R2"}, {Axis::y, "Y"}}) {
-        MachineSight machine = machine_in(S::ready);
+        MachineView machine = machine_in(S::ready);
         machine.status->signals = bit_of(sensor_of(axis));
-        EXPECT_EQ(failing_check(machine, DeskState::published),
+        EXPECT_EQ(failing_check(machine, OpenJobState::published),
                   std::string{"Limits clear: "} + said + " closed; ");
     }
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.status->signals = bit_of(Signal::r1_limit) | bit_of(Signal::y_limit);
-    EXPECT_EQ(failing_check(machine, DeskState::published), "Limits clear: R1, Y closed; ");
+    EXPECT_EQ(failing_check(machine, OpenJobState::published), "Limits clear: R1, Y closed; ");
     machine.status->signals = bit_of(Signal::psi_index);
-    EXPECT_EQ(failing_check(machine, DeskState::published), "") << "the table may stand anywhere";
+    EXPECT_EQ(failing_check(machine, OpenJobState::published), "") << "the table may stand anywhere";
 }
 
 TEST(Preflight, TellsTheClearanceThatTheJobKeeps) {
-    MachineSight machine = machine_in(S::ready);
-    const auto clearance_row = [&](DeskState desk) {
-        for (const Check& check : preflight_checks(machine, JobSight{desk, false, 10})) {
+    MachineView machine = machine_in(S::ready);
+    const auto clearance_row = [&](OpenJobState desk) {
+        for (const Check& check : preflight_checks(machine, OpenJobView{desk, false, 10})) {
             if (in_english(check.name) == "Head clearance") return check;
         }
         return Check{};
     };
     machine.profile.reset();
-    EXPECT_EQ(in_english(clearance_row(DeskState::published).detail), "not known");
+    EXPECT_EQ(in_english(clearance_row(OpenJobState::published).detail), "not known");
     machine.profile = Profile{};
     machine.profile->head_clearance_mm = 3.5;
-    EXPECT_EQ(in_english(clearance_row(DeskState::published).detail), "≥ 3.5 mm");
-    EXPECT_EQ(clearance_row(DeskState::published).verdict, Check::Verdict::pass);
-    EXPECT_EQ(clearance_row(DeskState::model).verdict, Check::Verdict::info) << "nothing keeps it yet";
+    EXPECT_EQ(in_english(clearance_row(OpenJobState::published).detail), "≥ 3.5 mm");
+    EXPECT_EQ(clearance_row(OpenJobState::published).verdict, Check::Verdict::pass);
+    EXPECT_EQ(clearance_row(OpenJobState::model).verdict, Check::Verdict::info) << "nothing keeps it yet";
 }
 
 TEST(Preflight, TellsOfAnotherBlankThanTheMachinesProfile) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.profile = Profile{};
-    JobSight job{DeskState::published, false, 10};
+    OpenJobView job{OpenJobState::published, false, 10};
     const auto row_for = [&](const BlankProfile& of_job, const BlankProfile& of_machine) {
         job.blank_difference = blank_difference(of_job, of_machine);
         for (const Check& check : preflight_checks(machine, job)) {
@@ -178,15 +179,15 @@ TEST(Preflight, TellsOfAnotherBlankThanTheMachinesProfile) {
     EXPECT_EQ(in_english(row_for({20.0, 60.0}, {20.0, 62.0}).detail), "h 60.0 ≠ 62.0");
     EXPECT_EQ(in_english(row_for({20.0, 60.0}, {20.0, 60.0, 3.0, 4.0}).detail), "5.0 mm beside");
     // The core's own, where nothing is open.
-    job.state = DeskState::empty;
+    job.state = OpenJobState::empty;
     machine.status->job_generation = 1;
     EXPECT_EQ(row_for({20.0, 60.0}, {25.0, 60.0}).verdict, Check::Verdict::warning);
 }
 
 TEST(Preflight, TellsInWhatTheJobsMachineIsAnother) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.profile = Profile{};
-    JobSight job{DeskState::job, false, 10};
+    OpenJobView job{OpenJobState::job, false, 10};
     const auto profile_row = [&] {
         const auto checks = preflight_checks(machine, job);
         EXPECT_EQ(checks.size(), kMostChecks);
@@ -207,10 +208,10 @@ TEST(Preflight, TellsInWhatTheJobsMachineIsAnother) {
     machine.profile.reset();
     EXPECT_EQ(in_english(profile_row().detail), "not known");
     EXPECT_EQ(profile_row().verdict, Check::Verdict::info);
-    job.state = DeskState::model;
+    job.state = OpenJobState::model;
     EXPECT_EQ(profile_row().verdict, Check::Verdict::info) << "there is no job";
     machine = machine_in(S::ready);
-    job.state = DeskState::empty;
+    job.state = OpenJobState::empty;
     EXPECT_EQ(profile_row().verdict, Check::Verdict::pass) << "the core's own";
     machine.status->job_generation = 0;
     EXPECT_EQ(profile_row().verdict, Check::Verdict::info);
@@ -219,17 +220,17 @@ TEST(Preflight, TellsInWhatTheJobsMachineIsAnother) {
 
 // Whatever has been opened or sliced since: the checks are of the job that runs.
 TEST(Preflight, IsOfTheRunningJobWhileOneRuns) {
-    for (const DeskState desk :
-         {DeskState::model, DeskState::slicing, DeskState::job, DeskState::published}) {
+    for (const OpenJobState desk :
+         {OpenJobState::model, OpenJobState::slicing, OpenJobState::job, OpenJobState::published}) {
         EXPECT_EQ(failing_check(machine_in(S::carving), desk), "") << static_cast<int>(desk);
         EXPECT_EQ(failing_check(machine_in(S::held), desk), "") << static_cast<int>(desk);
     }
-    EXPECT_EQ(failing_check(machine_in(S::ready), DeskState::job), "Job published: publish first; ");
+    EXPECT_EQ(failing_check(machine_in(S::ready), OpenJobState::job), "Job published: publish first; ");
 }
 
 /// Each kind of thing that a check looks at: as it should be, and as it should not.
-std::vector<MachineSight> machines_at_rest() {
-    std::vector<MachineSight> machines;
+std::vector<MachineView> machines_at_rest() {
+    std::vector<MachineView> machines;
     for (const S state : {S::off, S::ready}) {
         for (std::uint8_t homed = 0; homed <= test::kAllHomed; ++homed)
             machines.push_back(machine_in(state, homed));
@@ -253,10 +254,11 @@ std::vector<MachineSight> machines_at_rest() {
     return machines;
 }
 
-std::vector<JobSight> jobs_on_the_desk() {
-    std::vector<JobSight> jobs;
-    for (const DeskState desk : {DeskState::empty, DeskState::opening, DeskState::model, DeskState::slicing,
-                                 DeskState::job, DeskState::publishing, DeskState::published}) {
+std::vector<OpenJobView> jobs_on_the_desk() {
+    std::vector<OpenJobView> jobs;
+    for (const OpenJobState desk :
+         {OpenJobState::empty, OpenJobState::opening, OpenJobState::model, OpenJobState::slicing,
+          OpenJobState::job, OpenJobState::publishing, OpenJobState::published}) {
         jobs.push_back({desk, false, 10});
         jobs.push_back({desk, false, 10});
         jobs.back().profile_difference = "r1.pulses_per_mm";
@@ -267,8 +269,8 @@ std::vector<JobSight> jobs_on_the_desk() {
 }
 
 TEST(Preflight, FailsExactlyWhenStartIsLocked) {
-    for (const MachineSight& machine : machines_at_rest()) {
-        for (const JobSight& job : jobs_on_the_desk()) {
+    for (const MachineView& machine : machines_at_rest()) {
+        for (const OpenJobView& job : jobs_on_the_desk()) {
             std::string failing;
             for (const Check& check : preflight_checks(machine, job)) {
                 if (check.verdict == Check::Verdict::fail) failing += in_english(check.name) + "; ";
@@ -283,7 +285,7 @@ TEST(Preflight, FailsExactlyWhenStartIsLocked) {
 }
 
 TEST(Preflight, IsNamedByStartWhereNothingElseLocksIt) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.status->signals = bit_of(Signal::r2_limit);
     EXPECT_EQ(lock(Action::start, machine), "Start: pre-flight, Limits clear: R2 closed");
     machine.status->state = S::waiting;
@@ -292,9 +294,9 @@ TEST(Preflight, IsNamedByStartWhereNothingElseLocksIt) {
     EXPECT_EQ(lock(Action::start, machine_in(S::off)), "Start: the drives are off; home all axes");
 }
 
-std::string to_look_at(const MachineSight& machine) {
+std::string to_look_at(const MachineView& machine) {
     std::string named;
-    for (const Check& check : preflight_checks(machine, JobSight{DeskState::published, false, 10})) {
+    for (const Check& check : preflight_checks(machine, OpenJobView{OpenJobState::published, false, 10})) {
         if (check.verdict == Check::Verdict::warning)
             named += in_english(check.name) + ": " + in_english(check.detail) + "; ";
     }
@@ -303,9 +305,10 @@ std::string to_look_at(const MachineSight& machine) {
 }
 
 TEST(Preflight, WarnsOfMoreMissedTicksThanTheAlarmAllowsWithItsRemedy) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     const auto ticks = [&] {
-        for (const Check& check : preflight_checks(machine, JobSight{DeskState::published, false, 10})) {
+        for (const Check& check :
+             preflight_checks(machine, OpenJobView{OpenJobState::published, false, 10})) {
             if (in_english(check.name) == "Ticks in time") return check;
         }
         return Check{};
@@ -328,7 +331,7 @@ TEST(Preflight, WarnsOfMoreMissedTicksThanTheAlarmAllowsWithItsRemedy) {
 }
 
 TEST(Preflight, WarnsOfWhatTheCoreAllows) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     EXPECT_EQ(to_look_at(machine), "");
     machine.status->override_percent = 80;
     EXPECT_EQ(to_look_at(machine), "Feed override: 80 %; ");
@@ -340,7 +343,7 @@ TEST(Preflight, WarnsOfWhatTheCoreAllows) {
 }
 
 TEST(Preflight, WarnsOfTicksThatComeTooLate) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.status->is_simulator = 0;
     machine.status->has_realtime_rights = 1;
     machine.status->tick = 1'000'000;

@@ -22,8 +22,8 @@ const Clock::time_point kNoon{std::chrono::hours{500'000}};
 constexpr std::uint64_t kTicksPerSecond = 20'000;
 
 /// Looked at since noon, and heard ten seconds later, a minute after the core began.
-MachineSight with_alarms(const std::vector<AlarmRecord>& alarms, S state = S::ready) {
-    MachineSight machine = test::machine_in(state);
+MachineView with_alarms(const std::vector<AlarmRecord>& alarms, S state = S::ready) {
+    MachineView machine = test::machine_in(state);
     machine.watched_since = kNoon;
     machine.status_time = kNoon + 10s;
     machine.status->tick = 60 * kTicksPerSecond;
@@ -38,9 +38,9 @@ AlarmRecord alarm_of(Axis axis, std::uint64_t second) {
 }
 
 TEST(AlarmHistory, IsToldOfACoreThatIsHeardForTheFirstTime) {
-    const MachineSight machine =
+    const MachineView machine =
         with_alarms({alarm_of(Axis::r2, 5), {20 * kTicksPerSecond, AlarmCause::steps_lost, 2, 0, 0, 7, 9}});
-    const auto told = changes_between(MachineSight{}, machine);
+    const auto told = changes_between(MachineView{}, machine);
     ASSERT_EQ(told.size(), 3U);
     EXPECT_EQ(in_english(told[0].what),
               "Before this window was there: Limit switch R2 closed (outer end, pin 11)");
@@ -57,7 +57,7 @@ TEST(AlarmHistory, IsToldOfACoreThatIsHeardForTheFirstTime) {
 TEST(AlarmHistory, HasTheAlarmThatIsLatchedAndTheLastEightAlone) {
     std::vector<AlarmRecord> alarms;
     for (std::uint64_t second = 1; second <= 11; ++second) alarms.push_back(alarm_of(Axis::r1, second));
-    const auto told = fresh_alarms(MachineSight{}, with_alarms(alarms, S::alarm));
+    const auto told = fresh_alarms(MachineView{}, with_alarms(alarms, S::alarm));
     ASSERT_EQ(told.size(), kAlarmHistory);
     EXPECT_EQ(told.front().time, kNoon + 10s - 56s);
     EXPECT_EQ(told.back().time, kNoon + 10s - 49s);
@@ -65,15 +65,15 @@ TEST(AlarmHistory, HasTheAlarmThatIsLatchedAndTheLastEightAlone) {
 }
 
 TEST(AlarmHistory, IsToldOnceOfACore) {
-    const MachineSight before = with_alarms({alarm_of(Axis::r2, 5)});
+    const MachineView before = with_alarms({alarm_of(Axis::r2, 5)});
     EXPECT_TRUE(fresh_alarms(before, before).empty());
-    MachineSight silent = before;
+    MachineView silent = before;
     silent.life = CoreLife::silent;
     EXPECT_TRUE(fresh_alarms(silent, before).empty()) << "heard again";
-    MachineSight gone = before;
+    MachineView gone = before;
     gone.life = CoreLife::none;
     EXPECT_TRUE(fresh_alarms(gone, before).empty()) << "its segment was attached again";
-    MachineSight other = before;
+    MachineView other = before;
     other.core_pid = 43;
     EXPECT_EQ(fresh_alarms(gone, other).size(), 1U) << "another core";
     other.core_pid = 42;
@@ -82,11 +82,11 @@ TEST(AlarmHistory, IsToldOnceOfACore) {
 }
 
 TEST(AlarmHistory, TellsAsNewsWhatCameWhileSomebodyWatched) {
-    const MachineSight before = with_alarms({alarm_of(Axis::r2, 5)});
-    MachineSight silent = before;
+    const MachineView before = with_alarms({alarm_of(Axis::r2, 5)});
+    MachineView silent = before;
     silent.life = CoreLife::silent;
-    const MachineSight after = with_alarms({alarm_of(Axis::r2, 5), alarm_of(Axis::y, 55)}, S::alarm);
-    for (const MachineSight& last : {before, silent}) {
+    const MachineView after = with_alarms({alarm_of(Axis::r2, 5), alarm_of(Axis::y, 55)}, S::alarm);
+    for (const MachineView& last : {before, silent}) {
         const auto told = fresh_alarms(last, after);
         ASSERT_EQ(told.size(), 1U);
         EXPECT_FALSE(told[0].is_from_before);
@@ -94,32 +94,32 @@ TEST(AlarmHistory, TellsAsNewsWhatCameWhileSomebodyWatched) {
         EXPECT_EQ(told[0].time, kNoon + 5s);
     }
     // A core that began while the window was there.
-    const auto told = fresh_alarms(MachineSight{}, with_alarms({alarm_of(Axis::y, 51)}));
+    const auto told = fresh_alarms(MachineView{}, with_alarms({alarm_of(Axis::y, 51)}));
     ASSERT_EQ(told.size(), 1U);
     EXPECT_FALSE(told[0].is_from_before);
 }
 
 TEST(AlarmHistory, OfAVirtualClockHasNoTime) {
-    MachineSight machine = with_alarms({alarm_of(Axis::r2, 5)});
+    MachineView machine = with_alarms({alarm_of(Axis::r2, 5)});
     machine.status->is_virtual_clock = 1;
     machine.is_core_of_first_look = true;
-    const auto told = fresh_alarms(MachineSight{}, machine);
+    const auto told = fresh_alarms(MachineView{}, machine);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_TRUE(told[0].is_from_before);
     EXPECT_EQ(told[0].time, Clock::time_point{});
     EXPECT_TRUE(log_line(told[0]).starts_with("(time not known)")) << log_line(told[0]);
     machine = with_alarms({{~std::uint64_t{0}, AlarmCause::limit, 250, 0, 0, 0, 0}});
     machine.is_core_of_first_look = true;
-    EXPECT_EQ(fresh_alarms(MachineSight{}, machine).at(0).time, Clock::time_point{})
+    EXPECT_EQ(fresh_alarms(MachineView{}, machine).at(0).time, Clock::time_point{})
         << "nonsense of a segment";
 }
 
 TEST(AlarmHistory, WithoutATimeIsNewsOfACoreThatCameLater) {
-    MachineSight machine = with_alarms({alarm_of(Axis::r2, 5)}, S::alarm);
+    MachineView machine = with_alarms({alarm_of(Axis::r2, 5)}, S::alarm);
     machine.status->is_virtual_clock = 1;
     machine.is_core_of_first_look = false;
     const auto earliest = Clock::now();
-    const auto told = fresh_alarms(MachineSight{}, machine);
+    const auto told = fresh_alarms(MachineView{}, machine);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_FALSE(told[0].is_from_before);
     EXPECT_EQ(in_english(told[0].what), "Limit switch R2 closed (outer end, pin 11)");
@@ -130,7 +130,7 @@ TEST(AlarmHistory, KnowsWhichAlarmStillStands) {
     const std::vector<AlarmRecord> alarms{alarm_of(Axis::r1, 5), alarm_of(Axis::r2, 6)};
     const auto standing = [&](S state) {
         std::vector<bool> all;
-        for (const Message& alarm : fresh_alarms(MachineSight{}, with_alarms(alarms, state)))
+        for (const Message& alarm : fresh_alarms(MachineView{}, with_alarms(alarms, state)))
             all.push_back(alarm.is_standing);
         return all;
     };
@@ -140,8 +140,8 @@ TEST(AlarmHistory, KnowsWhichAlarmStillStands) {
 }
 
 TEST(AlarmHistory, IsToldOnceWhenAnAxisHasBackedOff) {
-    const MachineSight alarm = with_alarms({alarm_of(Axis::r2, 55)}, S::alarm);
-    const MachineSight backing_off = with_alarms({alarm_of(Axis::r2, 55)}, S::backing_off);
+    const MachineView alarm = with_alarms({alarm_of(Axis::r2, 55)}, S::alarm);
+    const MachineView backing_off = with_alarms({alarm_of(Axis::r2, 55)}, S::backing_off);
     for (const Message& message : changes_between(backing_off, alarm))
         EXPECT_NE(message.severity, Severity::alarm) << in_english(message.what);
 }
@@ -149,7 +149,7 @@ TEST(AlarmHistory, IsToldOnceWhenAnAxisHasBackedOff) {
 TEST(StatusLine, LeavesOutWhatIsFromBefore) {
     MessageLog log;
     StatusLine sut;
-    for (Message& message : fresh_alarms(MachineSight{}, with_alarms({alarm_of(Axis::r2, 5)})))
+    for (Message& message : fresh_alarms(MachineView{}, with_alarms({alarm_of(Axis::r2, 5)})))
         log.add(std::move(message));
     EXPECT_FALSE(sut.look(log, StatusLine::Clock::time_point{}));
     EXPECT_FALSE(sut.shown().has_value());
@@ -181,8 +181,8 @@ TEST_F(Bell, RingsOnceForWhateverAlarmsAreNew) {
 }
 
 TEST_F(Bell, IsSilentAboutWhatIsFromBefore) {
-    EXPECT_EQ(rung(fresh_alarms(MachineSight{}, with_alarms({alarm_of(Axis::r2, 5)}, S::alarm))), 0);
-    const MachineSight before = with_alarms({});
+    EXPECT_EQ(rung(fresh_alarms(MachineView{}, with_alarms({alarm_of(Axis::r2, 5)}, S::alarm))), 0);
+    const MachineView before = with_alarms({});
     EXPECT_EQ(rung(fresh_alarms(before, with_alarms({alarm_of(Axis::r2, 55)}, S::alarm))), 1);
 }
 

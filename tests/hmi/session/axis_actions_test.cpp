@@ -22,14 +22,14 @@ TEST(HomeLock, LetsPsiWaitForTheHeads) {
     EXPECT_EQ(said(home_lock(machine_in(S::off, 0b0011), Axis::psi)), "");
     EXPECT_EQ(said(home_lock(machine_in(S::carving), Axis::r2)), "Locked while carving");
     EXPECT_EQ(said(home_lock(machine_in(S::testing, 0), Axis::r2)), "Locked by the wiring test");
-    EXPECT_EQ(said(home_lock(MachineSight{}, Axis::r2)), "No core serves the segment");
+    EXPECT_EQ(said(home_lock(MachineView{}, Axis::r2)), "No core serves the segment");
 }
 
 TEST(ZeroLock, WantsAPositionThatMeansSomething) {
     EXPECT_EQ(said(zero_lock(machine_in(S::ready), Axis::psi)), "");
     EXPECT_EQ(said(zero_lock(machine_in(S::off, 0b0111), Axis::y)), "Zero: axis Y is not homed");
     EXPECT_EQ(said(zero_lock(machine_in(S::carving), Axis::y)), "Locked while carving");
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.profile.reset();
     EXPECT_EQ(said(zero_lock(machine, Axis::y)), "Zero: the machine's profile is not known here");
 }
@@ -38,13 +38,13 @@ TEST(DrivesOffLock, IsOpenAtRestAlone) {
     EXPECT_EQ(said(drives_off_lock(machine_in(S::ready))), "");
     EXPECT_EQ(said(drives_off_lock(machine_in(S::off, 0))), "Drives off: they are off");
     EXPECT_EQ(said(drives_off_lock(machine_in(S::moving))), "Locked while an axis moves");
-    MachineSight holding = machine_in(S::off, 0b0001);
+    MachineView holding = machine_in(S::off, 0b0001);
     holding.status->signals |= bit_of(Signal::r1_enable);
     EXPECT_EQ(said(drives_off_lock(holding)), "") << "R1 was homed alone, and its drive is on";
 }
 
 TEST(WorkZero, ShowsPositionsFromTheOperatorsZero) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.status->position_pulses[index_of(Axis::r1)] = 400 * 21;
     machine.status->position_pulses[index_of(Axis::psi)] = 6400 * 3 + 1600;
     EXPECT_DOUBLE_EQ(position_of(machine, Axis::r1).value(), 21.0);

@@ -53,11 +53,11 @@ TEST(CalibrationForm, IsWrittenOnceSomethingWasMeasuredAndWhileNothingMoves) {
     const CalibrationOutcome outcome = reckon(ProfileDraft{}, form);
     EXPECT_EQ(english(write_lock(outcome, machine_in(S::ready))), "nothing");
     EXPECT_EQ(english(write_lock(outcome, machine_in(S::moving))), "Write: the machine moves");
-    EXPECT_EQ(english(write_lock(outcome, MachineSight{})), "nothing") << "without a core, too";
+    EXPECT_EQ(english(write_lock(outcome, MachineView{})), "nothing") << "without a core, too";
 }
 
 TEST(CalibrationForm, AsksTheCoreOnlyByItsOwnProfile) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.core_profile_hash = profile_hash(Profile{});
     EXPECT_EQ(english(place_lock(machine, "a.toml", Profile{}, Axis::r1)), "nothing");
     machine.core_profile_hash += 1;
@@ -67,7 +67,7 @@ TEST(CalibrationForm, AsksTheCoreOnlyByItsOwnProfile) {
     machine.status->state = S::off;
     EXPECT_EQ(english(place_lock(machine, "a.toml", Profile{}, Axis::r2)),
               "Here: the machine is off; home it, jog R2 to the pin, and let it rest");
-    EXPECT_EQ(english(place_lock(MachineSight{}, "a.toml", Profile{}, Axis::r1)),
+    EXPECT_EQ(english(place_lock(MachineView{}, "a.toml", Profile{}, Axis::r1)),
               "No core serves the segment");
 }
 

@@ -76,21 +76,21 @@ private:
     std::promise<void> open_;
 };
 
-TEST(SaveLedger, KnowsWhatWaitsAndWhatRunsUntilItIsDoneOrDropped) {
-    SaveLedger sut;
+TEST(PendingSaves, KnowsWhatWaitsAndWhatRunsUntilItIsDoneOrDropped) {
+    PendingSaves sut;
     Gate gate;
-    WorkLane lane;
-    lane.post(sut.noted("first", [&]() -> WorkLane::Finish {
+    BackgroundQueue queue;
+    queue.post(sut.noted("first", [&]() -> BackgroundQueue::Finish {
         gate.enter();
         return {};
     }));
-    lane.post(sut.noted("second", []() -> WorkLane::Finish { return {}; }));
+    queue.post(sut.noted("second", []() -> BackgroundQueue::Finish { return {}; }));
     gate.await_begun();
     EXPECT_EQ(paths_of(sut.under_way()), "first, second");
-    lane.drop_waiting();
+    queue.drop_waiting();
     EXPECT_EQ(paths_of(sut.under_way()), "first");
     gate.open();
-    lane.finish();
+    queue.finish();
     EXPECT_TRUE(sut.under_way().empty());
     {
         const auto entry = sut.begin("third");
@@ -99,12 +99,12 @@ TEST(SaveLedger, KnowsWhatWaitsAndWhatRunsUntilItIsDoneOrDropped) {
     EXPECT_TRUE(sut.under_way().empty());
 }
 
-TEST(SaveLedger, SeesWhetherSomebodyWorksOnASave) {
-    SaveLedger sut;
+TEST(PendingSaves, SeesWhetherSomebodyWorksOnASave) {
+    PendingSaves sut;
     std::atomic<bool> works{true};
     Gate gate;
-    WorkLane lane;
-    lane.post(sut.noted("busy", [&]() -> WorkLane::Finish {
+    BackgroundQueue queue;
+    queue.post(sut.noted("busy", [&]() -> BackgroundQueue::Finish {
         while (works) std::this_thread::yield();
         gate.enter();
         return {};
@@ -121,20 +121,20 @@ TEST(SaveLedger, SeesWhetherSomebodyWorksOnASave) {
     }
     EXPECT_EQ(progress(), asleep) << "a disk that does not answer is no progress";
     gate.open();
-    lane.finish();
+    queue.finish();
 }
 
 TEST(DepartureWatch, LetsAProgramGoThatEndsByItself) {
     bool is_left = false;
     {
-        const DepartureWatch sut{SaveLedger{}, [&](bool) { is_left = true; }};
+        const DepartureWatch sut{PendingSaves{}, [&](bool) { is_left = true; }};
     }
     EXPECT_FALSE(is_left);
 }
 
 TEST(DepartureWatch, EndsAProgramThatWaitsForARead) {
     std::promise<bool> left;
-    const DepartureWatch sut{SaveLedger{}, [&](bool is_lost) { left.set_value(is_lost); }};
+    const DepartureWatch sut{PendingSaves{}, [&](bool is_lost) { left.set_value(is_lost); }};
     EXPECT_FALSE(left.get_future().get()) << "nothing is lost";
 }
 

@@ -11,8 +11,8 @@ namespace {
 using test::machine_in;
 using S = MachineState;
 
-MachineSight at(Axis axis, std::int64_t pulses) {
-    MachineSight machine = machine_in(S::ready);
+MachineView at(Axis axis, std::int64_t pulses) {
+    MachineView machine = machine_in(S::ready);
     machine.status->position_pulses[index_of(axis)] = pulses;
     return machine;
 }
@@ -34,7 +34,7 @@ TEST(DisplayText, ShowsPsiWithinATurnAndTheTurns) {
 }
 
 TEST(DisplayText, ShowsPulsesWhereTheProfileIsNotKnown) {
-    MachineSight machine = at(Axis::y, -30192);
+    MachineView machine = at(Axis::y, -30192);
     machine.profile.reset();
     EXPECT_EQ(axis_readout(machine, Axis::y).value, "\u221230\u2009192");
     EXPECT_EQ(axis_readout(machine, Axis::y).unit, "pulses");
@@ -50,7 +50,7 @@ TEST(DisplayText, FormatsNumbersAndTimes) {
 }
 
 TEST(DisplayText, NamesTheStateAndItsLayer) {
-    MachineSight machine = machine_in(S::carving);
+    MachineView machine = machine_in(S::carving);
     machine.status->layer = 314;
     const StateText text = state_text(machine, 500);
     EXPECT_EQ(in_english(text.word), "CARVING");
@@ -67,7 +67,7 @@ TEST(DisplayText, GivesEveryStateAWord) {
 }
 
 TEST(DisplayText, TellsTheTimeLeft) {
-    MachineSight machine = machine_in(S::carving);
+    MachineView machine = machine_in(S::carving);
     machine.status->points_total = 100;
     machine.status->points_done = 63;
     machine.status->seconds_left = 758.0;
@@ -85,7 +85,7 @@ TEST(DisplayText, TellsTheTimeLeft) {
 }
 
 TEST(DisplayText, AnAlarmCutsShortOnlyTheRunThatItEnded) {
-    MachineSight machine = machine_in(S::alarm);
+    MachineView machine = machine_in(S::alarm);
     CoreStatus& status = *machine.status;
     status.alarm_count = 1;
     status.alarms[0].tick = 900;
@@ -124,25 +124,25 @@ TEST(DisplayText, AnAlarmCutsShortOnlyTheRunThatItEnded) {
 }
 
 TEST(DisplayText, TellsOfARunOnlyBesideItsOwnJob) {
-    MachineSight machine = machine_in(S::ready);
-    EXPECT_TRUE(tells_of_run(machine, {DeskState::published}));
-    EXPECT_TRUE(tells_of_run(machine, {DeskState::empty}));
-    EXPECT_FALSE(tells_of_run(machine, {DeskState::model}));
-    EXPECT_FALSE(tells_of_run(machine, {DeskState::job}));
+    MachineView machine = machine_in(S::ready);
+    EXPECT_TRUE(tells_of_run(machine, {OpenJobState::published}));
+    EXPECT_TRUE(tells_of_run(machine, {OpenJobState::empty}));
+    EXPECT_FALSE(tells_of_run(machine, {OpenJobState::model}));
+    EXPECT_FALSE(tells_of_run(machine, {OpenJobState::job}));
     for (const S state : {S::carving, S::held, S::waiting}) {
         machine.status->state = state;
-        EXPECT_TRUE(tells_of_run(machine, {DeskState::model})) << name_of(state);
+        EXPECT_TRUE(tells_of_run(machine, {OpenJobState::model})) << name_of(state);
     }
     machine = machine_in(S::alarm);
-    EXPECT_FALSE(tells_of_run(machine, {DeskState::model}));
+    EXPECT_FALSE(tells_of_run(machine, {OpenJobState::model}));
     machine.status->points_total = 100;
     machine.status->points_done = 40;
     machine.status->job_start_tick = 500;
-    EXPECT_TRUE(tells_of_run(machine, {DeskState::model})) << "the alarm is of that run";
+    EXPECT_TRUE(tells_of_run(machine, {OpenJobState::model})) << "the alarm is of that run";
 }
 
 TEST(DisplayText, KnowsThePlannedTimeOfAJobThatIsNotBegun) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     EXPECT_FALSE(planned_seconds(machine));
     machine.status->points_total = 100;
     machine.status->seconds_left = 60.0;
@@ -157,7 +157,7 @@ TEST(DisplayText, KnowsThePlannedTimeOfAJobThatIsNotBegun) {
 TEST(DisplayText, SaysThatThereIsNoJob) {
     EXPECT_EQ(in_english(time_text(machine_in(S::ready))), "No job running");
     EXPECT_EQ(in_english(time_text(machine_in(S::off))), "No job running");
-    MachineSight machine = machine_in(S::homing);
+    MachineView machine = machine_in(S::homing);
     EXPECT_TRUE(time_text(machine).is_empty());
     machine = machine_in(S::ready);
     machine.life = CoreLife::silent;
@@ -165,7 +165,7 @@ TEST(DisplayText, SaysThatThereIsNoJob) {
 }
 
 TEST(DisplayText, TellsWhenTheAlarmStoppedTheMachine) {
-    MachineSight machine = machine_in(S::alarm);
+    MachineView machine = machine_in(S::alarm);
     CoreStatus& status = *machine.status;
     status.period_ns = 50'000;
     status.tick = 1'000'000;
@@ -179,11 +179,11 @@ TEST(DisplayText, TellsWhenTheAlarmStoppedTheMachine) {
     status.is_virtual_clock = 0;
     status.state = S::ready;
     EXPECT_FALSE(alarm_time(machine)) << "it is over";
-    EXPECT_FALSE(alarm_time(MachineSight{}));
+    EXPECT_FALSE(alarm_time(MachineView{}));
 }
 
 TEST(DisplayText, TellsHowLongTheOpenJobTakes) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     EXPECT_TRUE(job_times(machine, true, 0.0).time.is_empty());
     const JobTimes least = job_times(machine, true, 61.0);
     EXPECT_EQ(in_english(least.time), "at least 1:01");
@@ -225,7 +225,7 @@ TEST(Phrase, PutsArgumentsInPlace) {
 }
 
 TEST(DisplayText, TellsHowFarTheWorkIsWhileAJobRuns) {
-    MachineSight machine = machine_in(S::carving);
+    MachineView machine = machine_in(S::carving);
     machine.status->layer = 314;
     machine.status->point = 211;
     machine.status->period_ns = 50'000;
@@ -240,7 +240,7 @@ TEST(DisplayText, TellsHowFarTheWorkIsWhileAJobRuns) {
 TEST(DisplayText, TellsByTheClockWhenARunningJobEnds) {
     using std::chrono::seconds;
     const auto now = std::chrono::system_clock::time_point{seconds{1'000'000}};
-    MachineSight machine = machine_in(S::carving);
+    MachineView machine = machine_in(S::carving);
     machine.status->seconds_left = 600.0;
     EXPECT_EQ(end_time(machine, now), now + seconds{600});
     machine.status->is_virtual_clock = 1;
@@ -251,7 +251,7 @@ TEST(DisplayText, TellsByTheClockWhenARunningJobEnds) {
 }
 
 TEST(DisplayText, TellsWhereASimulatedMachineReallyStands) {
-    MachineSight machine = at(Axis::r1, 8617);
+    MachineView machine = at(Axis::r1, 8617);
     machine.status->is_simulator = 0;
     EXPECT_EQ(in_english(commanded_and_actual(machine, Axis::r1)), "8\u2009617 pulses");
     machine.status->is_simulator = 1;
@@ -261,7 +261,7 @@ TEST(DisplayText, TellsWhereASimulatedMachineReallyStands) {
 }
 
 TEST(DisplayText, SaysOfADryRunThatItIsOne) {
-    MachineSight machine = machine_in(S::carving);
+    MachineView machine = machine_in(S::carving);
     machine.status->is_dry = 1;
     machine.status->layer = 2;
     EXPECT_EQ(in_english(state_text(machine, 5).word), "DRY RUN");

@@ -8,12 +8,12 @@ namespace {
 
 using S = MachineState;
 
-MachineSight sight_in(S state) {
-    MachineSight sight;
-    sight.life = CoreLife::alive;
-    sight.status.emplace();
-    sight.status->state = state;
-    return sight;
+MachineView sight_in(S state) {
+    MachineView view;
+    view.life = CoreLife::alive;
+    view.status.emplace();
+    view.status->state = state;
+    return view;
 }
 
 TEST(EscapeOrder, HoldsWhatIsCarvedAndEndsOnlyWhatCannotBeHeld) {
@@ -38,9 +38,9 @@ TEST(EscapeOrder, HoldsAStartThatHasComeToTheFirstPoint) {
 
 TEST(EscapeOrder, IsNoneWithoutACoreThatIsHeard) {
     for (const CoreLife life : {CoreLife::none, CoreLife::silent}) {
-        MachineSight sight = sight_in(S::carving);
-        sight.life = life;
-        EXPECT_EQ(escape_order(sight, false), EscapeOrder::none);
+        MachineView view = sight_in(S::carving);
+        view.life = life;
+        EXPECT_EQ(escape_order(view, false), EscapeOrder::none);
     }
     EXPECT_EQ(escape_order({}, true), EscapeOrder::none);
 }

@@ -16,23 +16,23 @@ using test::machine_in;
 using S = MachineState;
 
 /// After 131 of 200 layers.
-MachineSight stopped_in(S state) {
-    MachineSight machine = machine_in(state);
+MachineView stopped_in(S state) {
+    MachineView machine = machine_in(state);
     machine.resumable_layer = 131;
     machine.checkpoint_layer_count = 200;
     return machine;
 }
 
-JobSight desk_in(DeskState state) {
-    return JobSight{state, false, 200};
+OpenJobView desk_in(OpenJobState state) {
+    return OpenJobView{state, false, 200};
 }
 
-std::string start_says(const MachineSight& machine, DeskState desk = DeskState::published,
+std::string start_says(const MachineView& machine, OpenJobState desk = OpenJobState::published,
                        bool is_dry = false) {
     return in_english(start_text(machine, desk_in(desk), is_dry));
 }
 
-std::vector<std::string> details(const UnfinishedPiece& piece, const MachineSight& machine,
+std::vector<std::string> details(const UnfinishedPiece& piece, const MachineView& machine,
                                  const cam::PreparedJob* job = nullptr) {
     std::vector<std::string> said;
     for (const Phrase& each : unfinished_details(piece, machine, job)) said.push_back(in_english(each));
@@ -69,46 +69,47 @@ cam::PreparedJob some_layers(std::uint32_t count = 4, std::int64_t apart_pulses 
 TEST(GoingOnWords, TheButtonSaysWithWhichLayerItBegins) {
     for (const S state : {S::off, S::ready, S::alarm, S::homing, S::moving})
         EXPECT_EQ(start_says(stopped_in(state)), "Continue from layer 132") << name_of(state);
-    EXPECT_EQ(start_says(stopped_in(S::ready), DeskState::empty), "Continue from layer 132");
+    EXPECT_EQ(start_says(stopped_in(S::ready), OpenJobState::empty), "Continue from layer 132");
     EXPECT_EQ(start_says(machine_in(S::ready)), "Start");
-    EXPECT_EQ(start_says(stopped_in(S::ready), DeskState::published, true), "Start dry run");
+    EXPECT_EQ(start_says(stopped_in(S::ready), OpenJobState::published, true), "Start dry run");
     for (const S state : {S::positioning, S::carving, S::holding, S::held, S::finishing, S::stopping})
         EXPECT_EQ(start_says(stopped_in(state)), "Start") << name_of(state);
-    for (const DeskState other : {DeskState::opening, DeskState::model, DeskState::slicing, DeskState::job})
+    for (const OpenJobState other :
+         {OpenJobState::opening, OpenJobState::model, OpenJobState::slicing, OpenJobState::job})
         EXPECT_EQ(start_says(stopped_in(S::ready), other), "Start") << "another job is open";
 }
 
 TEST(GoingOnWords, TheButtonSaysItOfACoreThatIsGone) {
-    MachineSight machine = stopped_in(S::carving);
+    MachineView machine = stopped_in(S::carving);
     machine.life = CoreLife::none;
     EXPECT_EQ(start_says(machine), "Continue from layer 132");
-    JobSight open = desk_in(DeskState::job);
+    OpenJobView open = desk_in(OpenJobState::job);
     open.is_of_checkpoint = true;
     EXPECT_EQ(in_english(start_text(machine, open, false)), "Continue from layer 132")
         << "as the segment has it";
     EXPECT_TRUE(unfinished_piece(machine, open));
-    EXPECT_EQ(start_says(machine, DeskState::job), "Start") << "another job is open";
-    EXPECT_FALSE(unfinished_piece(machine, desk_in(DeskState::job)));
-    EXPECT_EQ(start_says(machine, DeskState::model), "Start");
+    EXPECT_EQ(start_says(machine, OpenJobState::job), "Start") << "another job is open";
+    EXPECT_FALSE(unfinished_piece(machine, desk_in(OpenJobState::job)));
+    EXPECT_EQ(start_says(machine, OpenJobState::model), "Start");
 }
 
 TEST(GoingOnWords, TheButtonSaysForWhichLayerTheHeadsWait) {
-    MachineSight machine = stopped_in(S::waiting);
+    MachineView machine = stopped_in(S::waiting);
     EXPECT_EQ(start_says(machine), "Start") << "at the first";
     machine.status->layer = 40;
     EXPECT_EQ(start_says(machine), "Continue from layer 41");
-    EXPECT_EQ(layer_to_begin_with(machine, desk_in(DeskState::published), false), 40U);
+    EXPECT_EQ(layer_to_begin_with(machine, desk_in(OpenJobState::published), false), 40U);
     machine.status->is_dry = 1;
     EXPECT_EQ(start_says(machine), "Start dry run");
 }
 
 TEST(GoingOnWords, APieceIsUnfinishedUntilItGoesOnOrAnotherJobIsOpen) {
-    const JobSight desk = desk_in(DeskState::published);
+    const OpenJobView desk = desk_in(OpenJobState::published);
     EXPECT_EQ(unfinished_piece(stopped_in(S::ready), desk), (UnfinishedPiece{131, 0, 200}));
     EXPECT_FALSE(unfinished_piece(stopped_in(S::carving), desk));
     EXPECT_FALSE(unfinished_piece(machine_in(S::ready), desk));
-    EXPECT_FALSE(unfinished_piece(stopped_in(S::ready), desk_in(DeskState::model)));
-    MachineSight slipped = machine_in(S::ready);
+    EXPECT_FALSE(unfinished_piece(stopped_in(S::ready), desk_in(OpenJobState::model)));
+    MachineView slipped = machine_in(S::ready);
     slipped.earlier_layer = 94;
     slipped.checkpoint_layer_count = 200;
     EXPECT_EQ(unfinished_piece(slipped, desk), (UnfinishedPiece{0, 94, 200}));
@@ -124,7 +125,7 @@ TEST(GoingOnWords, APieceIsUnfinishedUntilItGoesOnOrAnotherJobIsOpen) {
 
 TEST(GoingOnWords, ItsDetailsSayTheLastGoodPointTheWayAndWhatComesFirst) {
     const cam::PreparedJob job = some_layers();
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.status->points_done = 12;
     machine.status->points_total = 20;
     machine.status->layer = 2;
@@ -150,7 +151,7 @@ TEST(GoingOnWords, ItsDetailsSayTheLastGoodPointTheWayAndWhatComesFirst) {
 
 TEST(GoingOnWords, ItsNeedsAreWhatComesFirstAndTheWayBack) {
     EXPECT_TRUE(unfinished_needs({2, 0, 4}, machine_in(S::ready)).empty());
-    MachineSight machine = machine_in(S::ready, 0x1);
+    MachineView machine = machine_in(S::ready, 0x1);
     machine.status->points_done = 12;
     machine.status->points_total = 20;
     std::vector<std::string> said;

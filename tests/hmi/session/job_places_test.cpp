@@ -9,17 +9,17 @@ namespace psicarve::session {
 namespace {
 
 using test::machine_in;
-using DS = DeskState;
+using DS = OpenJobState;
 using S = MachineState;
 
-MachineSight machine_at(S state, std::uint64_t points_done, std::uint64_t points_total = 2000) {
-    MachineSight sight = machine_in(state);
-    sight.status->points_done = points_done;
-    sight.status->points_total = points_total;
-    return sight;
+MachineView machine_at(S state, std::uint64_t points_done, std::uint64_t points_total = 2000) {
+    MachineView view = machine_in(state);
+    view.status->points_done = points_done;
+    view.status->points_total = points_total;
+    return view;
 }
 
-std::string noted(const MachineSight& machine) {
+std::string noted(const MachineView& machine) {
     return in_english(machine_job_note(machine));
 }
 
@@ -32,7 +32,7 @@ TEST(JobPlaces, AreAskedForWhatWouldBeStartedOrRuns) {
         EXPECT_EQ(place_in_question(machine_in(S::carving), {other}, !kIsKnown), JobPlace::desk);
         EXPECT_EQ(place_in_question(machine_in(S::held), {other}, kIsKnown), JobPlace::machine);
     }
-    MachineSight lost = machine_in(S::carving);
+    MachineView lost = machine_in(S::carving);
     lost.life = CoreLife::none;
     EXPECT_EQ(place_in_question(lost, {DS::job}, kIsKnown), JobPlace::desk);
 }
@@ -42,25 +42,25 @@ TEST(JobPlaces, TellTheMachinesJobByItsNumberAndHowFarItIs) {
     EXPECT_EQ(noted(machine_at(S::carving, 801)), "no. 3, 40 % done");
     EXPECT_EQ(noted(machine_at(S::ready, 2000)), "no. 3, 100 % done");
     EXPECT_EQ(noted(machine_at(S::ready, 1999)), "no. 3, 99 % done");
-    MachineSight dry = machine_at(S::carving, 500);
+    MachineView dry = machine_at(S::carving, 500);
     dry.status->is_dry = 1;
     EXPECT_EQ(noted(dry), "no. 3, dry run 25 %");
-    MachineSight none = machine_at(S::ready, 0);
+    MachineView none = machine_at(S::ready, 0);
     none.status->job_generation = 0;
     EXPECT_EQ(noted(none), "");
     none.life = CoreLife::none;
     EXPECT_EQ(noted(none), "no core");
-    EXPECT_EQ(noted(MachineSight{}), "no core");
-    MachineSight silent = machine_at(S::carving, 500);
+    EXPECT_EQ(noted(MachineView{}), "no core");
+    MachineView silent = machine_at(S::carving, 500);
     silent.life = CoreLife::silent;
     EXPECT_EQ(noted(silent), "no. 3, 25 % done");
 }
 
 TEST(JobPlaces, TellWhatLiesOnTheDesk) {
     const auto on_desk = [](DS state, bool was_published = false) {
-        JobSight sight{state};
-        sight.was_published = was_published;
-        return in_english(desk_job_note(sight));
+        OpenJobView view{state};
+        view.was_published = was_published;
+        return in_english(desk_job_note(view));
     };
     EXPECT_EQ(on_desk(DS::empty), "nothing");
     EXPECT_EQ(on_desk(DS::opening), "being read");

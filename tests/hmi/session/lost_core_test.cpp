@@ -19,8 +19,8 @@ using testing::HasSubstr;
 using S = MachineState;
 
 /// In layer 14 of a job when it was heard last.
-MachineSight lost_in(S state, CoreLife life = CoreLife::none) {
-    MachineSight machine = machine_in(state);
+MachineView lost_in(S state, CoreLife life = CoreLife::none) {
+    MachineView machine = machine_in(state);
     machine.life = life;
     machine.heard_state = state;
     machine.status->layer = 13;
@@ -32,7 +32,7 @@ MachineSight lost_in(S state, CoreLife life = CoreLife::none) {
 }
 
 /// Its guard has had its say.
-MachineSight told_by_guard(MachineSight machine) {
+MachineView told_by_guard(MachineView machine) {
     machine.status->state = S::alarm;
     machine.status->alarm_cause = AlarmCause::core_lost;
     machine.status->alarm_axis = kNoAxis;
@@ -48,7 +48,7 @@ std::vector<std::string> steps_of(const AlarmText& text) {
 
 TEST(LostCore, SaysWhereTheHeadsMayStandAndWhatToDo) {
     for (const S state : {S::carving, S::holding, S::held, S::stopping, S::finishing}) {
-        const MachineSight machine = lost_in(state);
+        const MachineView machine = lost_in(state);
         EXPECT_TRUE(is_lost_at_work(machine)) << name_of(state);
         const auto text = loud_text(machine);
         ASSERT_TRUE(text) << name_of(state);
@@ -64,7 +64,7 @@ TEST(LostCore, SaysWhereTheHeadsMayStandAndWhatToDo) {
 }
 
 TEST(LostCore, SaysWhatItsGuardHasSwitchedOff) {
-    MachineSight machine = told_by_guard(lost_in(S::carving));
+    MachineView machine = told_by_guard(lost_in(S::carving));
     auto text = loud_text(machine);
     ASSERT_TRUE(text);
     EXPECT_EQ(in_english(text->title), "The core has ended in layer 14, point 7");
@@ -94,7 +94,7 @@ TEST(LostCore, NamesTheProcessThatIsSilent) {
 }
 
 TEST(LostCore, OffersOnlyLayersThatTheCheckpointKnows) {
-    MachineSight machine = lost_in(S::carving);
+    MachineView machine = lost_in(S::carving);
     machine.resumable_layer.reset();
     EXPECT_EQ(steps_of(*loud_text(machine)).back(), "Start: no layer was finished");
     machine.status->is_dry = 1;
@@ -111,12 +111,12 @@ TEST(LostCore, AtRestIsNoneToBeLoudAbout) {
         EXPECT_FALSE(loud_text(lost_in(state, CoreLife::silent))) << name_of(state);
         EXPECT_EQ(state_text(lost_in(state), 20).tone, Tone::idle);
     }
-    EXPECT_FALSE(loud_text(MachineSight{}));
+    EXPECT_FALSE(loud_text(MachineView{}));
     EXPECT_FALSE(loud_text(machine_in(S::carving))) << "it is there";
 }
 
 TEST(LostCore, KeepsTheAlarmThatItEndedIn) {
-    MachineSight machine = limit_alarm(Axis::r2);
+    MachineView machine = limit_alarm(Axis::r2);
     machine.heard_state = S::alarm;
     EXPECT_EQ(steps_of(*loud_text(machine))[1], "Reset alarm");
     machine.life = CoreLife::none;
@@ -130,7 +130,7 @@ TEST(LostCore, KeepsTheAlarmThatItEndedIn) {
 }
 
 TEST(LostCore, AnEmergencyStopThatNobodyHeardComesFirst) {
-    MachineSight machine;
+    MachineView machine;
     machine.unheard_stop = true;
     auto text = loud_text(machine);
     ASSERT_TRUE(text);

@@ -80,16 +80,16 @@ TEST(MeshText, ReportsAModelAsItBecomesKnown) {
                                         "Surface: closed, all facets turned alike", "Probable unit: mm",
                                         "Size: …", "Volume: …", "Undercut: …", "Open in directions: …",
                                         "The tool leaves: …"}));
-    ModelSight sight;
-    sight.size = {10.0, 20.0, 30.0};
-    sight.mm_per_unit = 0.5;
-    sight.undercut_share = 0.0842;
+    ReachReport view;
+    view.size = {10.0, 20.0, 30.0};
+    view.mm_per_unit = 0.5;
+    view.undercut_share = 0.0842;
     report::ModelFindings findings;
     findings.parts = {3, 1, 0, 0};
     findings.hidden.hidden_deg = {
         {10.0, 20.0, 0.02}, {350.0, 370.0, 0.5}, {40.0, 50.0, 0.03}, {60.0, 70.0, 0.2}};
     findings.hidden.hidden_mm = {{4.0, 7.0, 0.25}};
-    PieceSight piece;
+    PieceView piece;
     piece.has_model = true;
     piece.draft_allowance_mm = 0.01;
     piece.deviation.emplace();
@@ -97,13 +97,13 @@ TEST(MeshText, ReportsAModelAsItBecomesKnown) {
     piece.deviation->histogram[8] = 1;
     piece.deviation->histogram[5] = 3;
     piece.deviation->place_count = 4;
-    const auto rows = rows_of({mesh, &sight, &findings, &piece, {}});
+    const auto rows = rows_of({mesh, &view, &findings, &piece, {}});
     EXPECT_EQ(rows[1], "Bodies: 3");
     EXPECT_EQ(rows[2], "Surface: bodies inside out: 1");
     EXPECT_EQ(rows[4], "Size: 5.00 × 10.00 × 15.00 mm, scale 0.5000");
     EXPECT_EQ(rows[5], "Volume: 1.54 cm³");
     EXPECT_EQ(rows[6], "Undercut: about 8.4 % of the surface");
-    EXPECT_EQ(rows_of({mesh, &sight, &findings, &piece, {}, 0.0831})[6], "Undercut: 8.31 % of the surface")
+    EXPECT_EQ(rows_of({mesh, &view, &findings, &piece, {}, 0.0831})[6], "Undercut: 8.31 % of the surface")
         << "as the job has it";
     EXPECT_EQ(rows[7], "350–10°, through 0° (50.0 %), 60–70° (20.0 %), 40–50° (3.0 %), …");
     EXPECT_EQ(rows[8], "4.0–7.0 mm high (25.0 %)");
@@ -112,7 +112,7 @@ TEST(MeshText, ReportsAModelAsItBecomesKnown) {
     EXPECT_EQ(rows[12], "Left over 1.500 mm at most, at 30.0°, 2.00 mm high; 0.1000 mm on average");
     // Too deep is only told of a job: a draft's samples are no cuts.
     piece.draft_allowance_mm.reset();
-    EXPECT_EQ(rows_of({mesh, &sight, &findings, &piece, {}})[11], "Nowhere too deep");
+    EXPECT_EQ(rows_of({mesh, &view, &findings, &piece, {}})[11], "Nowhere too deep");
 }
 
 TEST(MeshText, ReportsHolesAndWhereTheyAreAndWhyThereIsNoPiece) {

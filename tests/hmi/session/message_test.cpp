@@ -15,7 +15,7 @@ using test::limit_alarm;
 using test::machine_in;
 using S = MachineState;
 
-std::string told(const MachineSight& before, const MachineSight& after) {
+std::string told(const MachineView& before, const MachineView& after) {
     std::string text;
     for (const Message& message : changes_between(before, after)) text += in_english(message.what) + "; ";
     return text;
@@ -39,17 +39,17 @@ TEST(AlarmHeads, AreWhereTheAlarmIsToBeLookedFor) {
     EXPECT_EQ(alarm_heads(limit_alarm(Axis::r2)), std::vector{Axis::r2});
     EXPECT_EQ(alarm_heads(limit_alarm(Axis::y)), (std::vector{Axis::r1, Axis::r2})) << "the slide of both";
     EXPECT_TRUE(alarm_heads(limit_alarm(Axis::psi)).empty());
-    MachineSight machine = limit_alarm(Axis::r1);
+    MachineView machine = limit_alarm(Axis::r1);
     machine.status->alarm_axis = kNoAxis;
     EXPECT_TRUE(alarm_heads(machine).empty()) << "the computer's, say";
     machine = limit_alarm(Axis::r1);
     machine.status->state = MachineState::ready;
     EXPECT_TRUE(alarm_heads(machine).empty()) << "it is over";
-    EXPECT_TRUE(alarm_heads(MachineSight{}).empty());
+    EXPECT_TRUE(alarm_heads(MachineView{}).empty());
 }
 
 TEST(AlarmText, SaysWhichAxisToHomeWhenItIsOne) {
-    MachineSight machine = limit_alarm(Axis::r2);
+    MachineView machine = limit_alarm(Axis::r2);
     machine.status->homed_mask = 0b1101;  // all but R2
     EXPECT_EQ(in_english(alarm_text(machine).steps[2]), "Home R2");
     machine.status->homed_mask = 0b0101;  // Y neither
@@ -57,7 +57,7 @@ TEST(AlarmText, SaysWhichAxisToHomeWhenItIsOne) {
 }
 
 TEST(AlarmText, OfAnEmergencyStopAtRestKeepsThePositions) {
-    MachineSight machine = limit_alarm(Axis::r2);
+    MachineView machine = limit_alarm(Axis::r2);
     machine.status->alarm_cause = AlarmCause::emergency_stop;
     machine.status->homed_mask = 0b1111;
     for (const Phrase& step : alarm_text(machine).steps) EXPECT_NE(in_english(step), "Home all");
@@ -68,7 +68,7 @@ TEST(AlarmText, OfAnEmergencyStopAtRestKeepsThePositions) {
 
 // The computer's troubles may go on; the alarm is of what was.
 TEST(AlarmText, CountsTheTicksThatWereMissedUpToTheAlarm) {
-    MachineSight machine = machine_in(S::carving);
+    MachineView machine = machine_in(S::carving);
     const auto hear = [&machine](std::uint64_t tick, std::uint64_t missed, std::uint64_t alarms) {
         CoreStatus status = *machine.status;
         status.tick = tick;
@@ -90,7 +90,7 @@ TEST(AlarmText, CountsTheTicksThatWereMissedUpToTheAlarm) {
 }
 
 TEST(AlarmText, SaysByHowMuchTheTableIsOffAndWhichLayersThatAffects) {
-    MachineSight machine = limit_alarm(Axis::psi);
+    MachineView machine = limit_alarm(Axis::psi);
     machine.status->alarm_cause = AlarmCause::steps_lost;
     machine.status->alarm_count = 1;
     AlarmRecord& alarm = machine.status->alarms[0];
@@ -107,7 +107,7 @@ TEST(AlarmText, SaysByHowMuchTheTableIsOffAndWhichLayersThatAffects) {
 }
 
 TEST(AlarmText, NamesTheAxisThatMovedInAPauseOfTheComputer) {
-    MachineSight machine = limit_alarm(Axis::r2);
+    MachineView machine = limit_alarm(Axis::r2);
     machine.status->alarm_cause = AlarmCause::tick_gap;
     EXPECT_EQ(in_english(alarm_text(machine).title), "The computer paused while axis R2 moved");
     EXPECT_NE(in_english(alarm_text(machine).detail).find("21.21 mm"), std::string::npos);
@@ -115,7 +115,7 @@ TEST(AlarmText, NamesTheAxisThatMovedInAPauseOfTheComputer) {
 
 TEST(AlarmText, GivesEveryCauseATitleAndAWayOut) {
     for (std::uint8_t i = 1; i < kAlarmCauseCount; ++i) {
-        MachineSight machine = limit_alarm(Axis::psi);
+        MachineView machine = limit_alarm(Axis::psi);
         machine.status->alarm_cause = static_cast<AlarmCause>(i);
         const AlarmText text = alarm_text(machine);
         EXPECT_FALSE(in_english(text.title).empty()) << int{i};
@@ -125,7 +125,7 @@ TEST(AlarmText, GivesEveryCauseATitleAndAWayOut) {
 }
 
 TEST(MessageLog, TellsWhatBecameOfTheMachine) {
-    EXPECT_EQ(told(MachineSight{}, machine_in(S::off)), "Core found, process 42; ");
+    EXPECT_EQ(told(MachineView{}, machine_in(S::off)), "Core found, process 42; ");
     EXPECT_EQ(told(machine_in(S::off), machine_in(S::homing)), "Machine: homing; ");
     EXPECT_EQ(told(machine_in(S::ready), machine_in(S::ready)), "");
     EXPECT_EQ(told(machine_in(S::carving), limit_alarm(Axis::r2)),
@@ -134,22 +134,22 @@ TEST(MessageLog, TellsWhatBecameOfTheMachine) {
 }
 
 TEST(MessageLog, TellsOfASecondAlarmAndOfAJob) {
-    MachineSight again = limit_alarm(Axis::r1);
+    MachineView again = limit_alarm(Axis::r1);
     again.status->alarm_count = 2;
     EXPECT_EQ(told(limit_alarm(Axis::r2), again), "Limit switch R1 closed (outer end, pin 13); ");
-    MachineSight other_job = machine_in(S::ready);
+    MachineView other_job = machine_in(S::ready);
     other_job.status->job_generation = 4;
     other_job.status->override_percent = 80;
     EXPECT_EQ(told(machine_in(S::ready), other_job), "Job no. 4 accepted; Feed override 100 % → 80 %; ");
 }
 
 TEST(MessageLog, TellsThatTheCoreIsGoneOrSilent) {
-    const auto lost = [](MachineSight machine, CoreLife life) {
+    const auto lost = [](MachineView machine, CoreLife life) {
         machine.heard_state = machine.state();
         machine.life = life;
         return machine;
     };
-    MachineSight ready = machine_in(S::ready);
+    MachineView ready = machine_in(S::ready);
     EXPECT_EQ(told(ready, lost(ready, CoreLife::none)), "The core has ended; ");
     EXPECT_EQ(told(ready, lost(ready, CoreLife::silent)), "The core is silent; ");
     ready.status->layer = 13;
@@ -159,13 +159,13 @@ TEST(MessageLog, TellsThatTheCoreIsGoneOrSilent) {
 }
 
 TEST(MessageLog, TellsAsAnAlarmThatTheCoreWasLostAtWork) {
-    MachineSight carving = machine_in(S::carving);
+    MachineView carving = machine_in(S::carving);
     carving.heard_state = S::carving;
     carving.status->layer = 13;
     carving.status->points_done = 1000;
     carving.status->points_total = 2000;
     for (const CoreLife life : {CoreLife::none, CoreLife::silent}) {
-        MachineSight lost = carving;
+        MachineView lost = carving;
         lost.life = life;
         const auto messages = changes_between(carving, lost);
         ASSERT_EQ(messages.size(), 1U);
@@ -183,15 +183,15 @@ TEST(MessageLog, TellsAsAnAlarmThatTheCoreWasLostAtWork) {
 }
 
 TEST(MessageLog, TellsOnceThatTheChosenProfileIsNotTheMachines) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     machine.core_profile_hash = 7;
     EXPECT_EQ(told(machine, machine), "");
-    MachineSight other = machine;
+    MachineView other = machine;
     other.unused_profile = "fine";
     EXPECT_EQ(told(machine, other),
               "Profile fine of --profile is not the machine's, which counts by its own, default; ");
     EXPECT_EQ(told(other, other), "");
-    EXPECT_EQ(told(MachineSight{}, other),
+    EXPECT_EQ(told(MachineView{}, other),
               "Core found, process 42; Profile fine of --profile is not the "
               "machine's, which counts by its own, default; ");
     other.profile.reset();
@@ -209,9 +209,9 @@ TEST(MessageLog, KeepsTheNewest) {
 }
 
 TEST(Messages, NameTheAxesThatTheyAreOf) {
-    MachineSight before = machine_in(S::homing);
+    MachineView before = machine_in(S::homing);
     before.status->homed_mask = 0b0100;
-    MachineSight after = machine_in(S::homing);
+    MachineView after = machine_in(S::homing);
     after.status->homed_mask = 0b0111;
     auto told = changes_between(before, after);
     ASSERT_EQ(told.size(), 1U);
@@ -229,20 +229,20 @@ TEST(Messages, NameTheAxesThatTheyAreOf) {
 }
 
 TEST(Messages, TellOnceThatMemoryAndDiskDisagree) {
-    const MachineSight before = machine_in(S::off);
-    MachineSight after = before;
+    const MachineView before = machine_in(S::off);
+    MachineView after = before;
     after.job_remarks = {
         message_of(MessageId::segment_and_disk_disagree, layer_argument(7), layer_argument(4))};
     EXPECT_EQ(told(before, after),
               "The computer's memory says 7 layers, its disk 4: the lower number is taken.; ");
     EXPECT_EQ(told(after, after), "");
-    EXPECT_NE(told(MachineSight{}, after).find("memory says 7"), std::string::npos)
+    EXPECT_NE(told(MachineView{}, after).find("memory says 7"), std::string::npos)
         << "to a window that is opened then";
 }
 
 TEST(Messages, TellOfADiskThatTakesNothing) {
-    const MachineSight before = machine_in(S::carving);
-    MachineSight after = before;
+    const MachineView before = machine_in(S::carving);
+    MachineView after = before;
     after.is_disk_refusing = true;
     EXPECT_EQ(told(before, after), "The disk does not take how far the piece has come; ");
     EXPECT_EQ(told(after, after), "");

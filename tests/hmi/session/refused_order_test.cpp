@@ -19,20 +19,20 @@ using test::machine_in;
 
 constexpr std::uint8_t kR1Homed = 1;
 
-RefusedOrder refused(OrderHelp help, const MachineSight& machine) {
+RefusedOrder refused(OrderHelp help, const MachineView& machine) {
     RefusedOrder sut;
     sut.note({OrderPlace::job, phrase("Start"), help}, machine);
     return sut;
 }
 
 /// The core has written its status since it answered.
-MachineSight settled(MachineSight machine) {
+MachineView settled(MachineView machine) {
     machine.status->heartbeat += 100;
     return machine;
 }
 
 TEST(RefusedOrder, StaysWhileTheMachineIsAsItWas) {
-    const MachineSight machine = machine_in(S::ready);
+    const MachineView machine = machine_in(S::ready);
     RefusedOrder sut = refused(OrderHelp::none, machine);
     for (int look = 0; look < 3; ++look) sut.look(settled(machine));
     ASSERT_TRUE(sut.told());
@@ -44,7 +44,7 @@ TEST(RefusedOrder, StaysWhileTheMachineIsAsItWas) {
 }
 
 TEST(RefusedOrder, IsOfTheStatusThatTheCoreWritesRightAfterItsAnswer) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     RefusedOrder sut = refused(OrderHelp::reset_alarm, machine);
     machine.status->state = S::alarm;
     ++machine.status->heartbeat;
@@ -58,12 +58,12 @@ TEST(RefusedOrder, IsOfTheStatusThatTheCoreWritesRightAfterItsAnswer) {
 
 struct Change {
     std::string name;
-    std::function<void(MachineSight&)> change;
+    std::function<void(MachineView&)> change;
 };
 class RefusedOrderOf : public ::testing::TestWithParam<Change> {};
 
 TEST_P(RefusedOrderOf, GoesWithAMachineThatIsAnother) {
-    MachineSight machine = machine_in(S::ready);
+    MachineView machine = machine_in(S::ready);
     RefusedOrder sut = refused(OrderHelp::none, machine);
     machine = settled(machine);
     sut.look(machine);
@@ -75,14 +75,14 @@ TEST_P(RefusedOrderOf, GoesWithAMachineThatIsAnother) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedOrderOf,
-    ::testing::Values(Change{"State", [](MachineSight& m) { m.status->state = S::homing; }},
-                      Change{"Homing", [](MachineSight& m) { m.status->homed_mask = kR1Homed; }},
-                      Change{"Job", [](MachineSight& m) { ++m.status->job_generation; }},
-                      Change{"Alarm", [](MachineSight& m) { ++m.status->alarm_count; }},
-                      Change{"Switch", [](MachineSight& m) { m.status->signals |= bit_of(Signal::y_limit); }},
-                      Change{"Position", [](MachineSight& m) { ++m.status->position_pulses[0]; }},
-                      Change{"Core", [](MachineSight& m) { ++m.core_pid; }},
-                      Change{"Silence", [](MachineSight& m) { m.life = CoreLife::silent; }}),
+    ::testing::Values(Change{"State", [](MachineView& m) { m.status->state = S::homing; }},
+                      Change{"Homing", [](MachineView& m) { m.status->homed_mask = kR1Homed; }},
+                      Change{"Job", [](MachineView& m) { ++m.status->job_generation; }},
+                      Change{"Alarm", [](MachineView& m) { ++m.status->alarm_count; }},
+                      Change{"Switch", [](MachineView& m) { m.status->signals |= bit_of(Signal::y_limit); }},
+                      Change{"Position", [](MachineView& m) { ++m.status->position_pulses[0]; }},
+                      Change{"Core", [](MachineView& m) { ++m.core_pid; }},
+                      Change{"Silence", [](MachineView& m) { m.life = CoreLife::silent; }}),
     [](const auto& change) { return change.param.name; });
 
 TEST(RefusedOrder, OffersNoHomingThatIsDoneAndNoAlarmThatIsGone) {

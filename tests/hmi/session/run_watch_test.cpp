@@ -12,9 +12,9 @@ using test::machine_in;
 using S = MachineState;
 constexpr RunWatch::Clock::time_point kWatchNow{std::chrono::hours{1}};
 
-MachineSight running(S state, std::uint64_t start_tick, std::uint64_t emitted) {
-    MachineSight sight = machine_in(state);
-    CoreStatus& status = *sight.status;
+MachineView running(S state, std::uint64_t start_tick, std::uint64_t emitted) {
+    MachineView view = machine_in(state);
+    CoreStatus& status = *view.status;
     status.tick = start_tick + emitted;
     status.job_start_tick = start_tick;
     for (std::uint64_t& pulses : status.emitted_pulses) pulses = emitted;
@@ -24,7 +24,7 @@ MachineSight running(S state, std::uint64_t start_tick, std::uint64_t emitted) {
     status.carve_last_tick = state == S::ready ? start_tick + 20'010 : 0;
     status.job_end_tick = state == S::ready ? start_tick + 40'000 : 0;
     status.reference_seconds = 0.9;
-    return sight;
+    return view;
 }
 
 std::string value_of(const RunWatch& watch, const std::string& name) {
@@ -60,11 +60,11 @@ TEST(RunWatch, TellsARunFromStartToEndAndNothingOfWhatComesAfter) {
 
 TEST(RunWatch, CountsTheAlarmsOfTheRunAlone) {
     RunWatch sut;
-    MachineSight before = machine_in(S::ready);
+    MachineView before = machine_in(S::ready);
     before.status->alarm_count = 2;
     before.status->missed_ticks = 7;
     sut.note(before, kWatchNow);
-    MachineSight alarm = running(S::alarm, 500, 100);
+    MachineView alarm = running(S::alarm, 500, 100);
     alarm.status->alarm_count = 3;
     alarm.status->missed_ticks = 9;
     sut.note(alarm, kWatchNow);
@@ -75,7 +75,7 @@ TEST(RunWatch, CountsTheAlarmsOfTheRunAlone) {
 
 TEST(RunWatch, SaysFromWhichLayerOnItSawARunThatItFound) {
     RunWatch sut;
-    MachineSight found = running(S::carving, 500, 1'000);
+    MachineView found = running(S::carving, 500, 1'000);
     found.status->layer = 4;
     found.status->missed_ticks = 7;
     sut.note(found, kWatchNow);
@@ -92,7 +92,7 @@ TEST(RunWatch, ForgetsTheRunsOfACoreThatIsNoMore) {
     RunWatch sut;
     sut.note(running(S::carving, 500, 1'000), kWatchNow);
     EXPECT_TRUE(sut.run());
-    MachineSight next = machine_in(S::off, 0);
+    MachineView next = machine_in(S::off, 0);
     next.core_pid = 43;
     sut.note(next, kWatchNow);
     EXPECT_FALSE(sut.run());
@@ -100,7 +100,7 @@ TEST(RunWatch, ForgetsTheRunsOfACoreThatIsNoMore) {
 
 TEST(RunWatch, DoesNotCallADryRunCarved) {
     RunWatch sut;
-    MachineSight machine = running(S::carving, 500, 1'000);
+    MachineView machine = running(S::carving, 500, 1'000);
     machine.status->is_dry = 1;
     sut.note(machine, kWatchNow);
     machine = running(S::ready, 500, 2'345);

@@ -23,7 +23,7 @@ FoundCheckpoint found_after(std::uint32_t layers, std::uint32_t earlier = 0) {
     return found;
 }
 
-std::vector<std::string> said_of(const FoundCheckpoint& found, const MachineSight& machine) {
+std::vector<std::string> said_of(const FoundCheckpoint& found, const MachineView& machine) {
     std::vector<std::string> said{in_english(saved_title(found.saved))};
     for (const Phrase& each : saved_details(found, machine)) said.push_back(in_english(each));
     return said;
@@ -37,7 +37,7 @@ TEST(SavedPieceWords, SayWhichPieceHowFarSinceWhenAndWhatToDo) {
     FoundCheckpoint without_copy = found_after(0, 50);
     without_copy.job_path.clear();
     without_copy.saved.tool.clear();
-    MachineSight dead;
+    MachineView dead;
     EXPECT_EQ(
         said_of(without_copy, dead),
         (std::vector<std::string>{"Begun anew: none of 200 layers of vase.stl is finished",
@@ -48,14 +48,14 @@ TEST(SavedPieceWords, SayWhichPieceHowFarSinceWhenAndWhatToDo) {
 }
 
 TEST(SavedPieceWords, AreFewWhereThereIsNoRoom) {
-    const auto needs = saved_needs(found_after(3, 50), MachineSight{});
+    const auto needs = saved_needs(found_after(3, 50), MachineView{});
     ASSERT_EQ(needs.size(), 2U);
     EXPECT_EQ(in_english(needs[0]), "Open its job, then go on from layer 4.");
     EXPECT_EQ(in_english(needs[1]), "Run before: to layer 50 (From layer 51).");
 }
 
 TEST(SavedPieceWords, SayThatThePieceWasBegunWithAnotherProfile) {
-    MachineSight machine = test::machine_in(MachineState::off);
+    MachineView machine = test::machine_in(MachineState::off);
     FoundCheckpoint found = found_after(131);
     found.saved.profile_hash = 5;
     const std::string words = "It was begun with another profile of the machine.";
@@ -64,11 +64,11 @@ TEST(SavedPieceWords, SayThatThePieceWasBegunWithAnotherProfile) {
     machine.core_profile_hash = 6;
     EXPECT_THAT(said_of(found, machine), testing::Contains(words));
     EXPECT_EQ(in_english(saved_needs(found, machine).front()), words);
-    EXPECT_THAT(said_of(found, MachineSight{}), testing::Not(testing::Contains(words))) << "nobody knows it";
+    EXPECT_THAT(said_of(found, MachineView{}), testing::Not(testing::Contains(words))) << "nobody knows it";
 }
 
 TEST(SavedPieceWords, SayThatItMayBeAnotherPiece) {
-    const MachineSight machine = test::machine_in(MachineState::off);
+    const MachineView machine = test::machine_in(MachineState::off);
     FoundCheckpoint found = found_after(131);
     found.keeper = Keeper::this_core;
     EXPECT_EQ(said_of(found, machine).size(), 3U);
@@ -83,7 +83,7 @@ TEST(SavedPieceWords, SayThatItMayBeAnotherPiece) {
 }
 
 TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
-    MachineSight machine = test::machine_in(MachineState::ready);
+    MachineView machine = test::machine_in(MachineState::ready);
     machine.resumable_layer = 131;
     EXPECT_FALSE(is_from_disk_alone(machine, 131));
     machine.is_checkpoint_from_disk = true;
@@ -117,7 +117,7 @@ TEST(SavedPieceWords, AskBeforeADisksWordIsTaken) {
 }
 
 TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
-    MachineSight machine = test::machine_in(MachineState::ready);
+    MachineView machine = test::machine_in(MachineState::ready);
     EXPECT_FALSE(disagreement(machine));
     machine.job_remarks = {
         message_of(MessageId::blank_beside, mm_argument(1.0)),
@@ -143,14 +143,14 @@ TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
 }
 
 TEST(SavedPieceWords, AreForAMachineThatHasNoJob) {
-    MachineSight machine = test::machine_in(MachineState::off);
+    MachineView machine = test::machine_in(MachineState::off);
     machine.status->job_generation = 0;
     EXPECT_TRUE(may_be_saved(machine));
     machine.status->job_generation = 1;
     EXPECT_FALSE(may_be_saved(machine));
     machine.life = CoreLife::none;
     EXPECT_TRUE(may_be_saved(machine));
-    EXPECT_TRUE(may_be_saved(MachineSight{}));
+    EXPECT_TRUE(may_be_saved(MachineView{}));
 }
 
 }  // namespace

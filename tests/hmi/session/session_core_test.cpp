@@ -24,25 +24,25 @@ TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
     start_core();
     open_session();
     desk_->open(example("small.stl"));
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
+    ASSERT_TRUE(comes_true([&] { return desk_->view().state == OpenJobState::model; })) << all_messages();
     cam::JobOptions options;
     options.layer_count = 12;
     options.point_count = 40;
     desk_->slice(options, Profile{});
-    EXPECT_EQ(desk_->sight().state, DeskState::slicing);
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::job; })) << all_messages();
-    EXPECT_EQ(desk_->sight().layer_count, 12U);
+    EXPECT_EQ(desk_->view().state, OpenJobState::slicing);
+    ASSERT_TRUE(comes_true([&] { return desk_->view().state == OpenJobState::job; })) << all_messages();
+    EXPECT_EQ(desk_->view().layer_count, 12U);
     desk_->publish();
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; })) << all_messages();
+    ASSERT_TRUE(comes_true([&] { return desk_->view().state == OpenJobState::published; })) << all_messages();
     home_session();
     session_->start(0);
     ASSERT_TRUE(comes_true([&] {
-        const auto& status = session_->sight().status;
+        const auto& status = session_->view().status;
         return status->points_total == 12 * 40 && status->points_done == status->points_total &&
                status->state == S::ready;
     })) << all_messages();
     EXPECT_GT(desk_->job()->least.total(), 0.0);
-    EXPECT_LE(desk_->job()->least.total(), 1.001 * session_->sight().status->reference_seconds);
+    EXPECT_LE(desk_->job()->least.total(), 1.001 * session_->view().status->reference_seconds);
 }
 
 TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
@@ -53,18 +53,18 @@ TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
     session_->start(0);
     ASSERT_TRUE(comes_to(S::carving));
     session_->set_override(150);
-    ASSERT_TRUE(comes_true([&] { return session_->sight().status->override_percent == 150; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().status->override_percent == 150; }));
     session_->order(CommandKind::hold, phrase("Hold"));
     ASSERT_TRUE(comes_to(S::held));
     session_->order(CommandKind::resume, phrase("Resume"));
     ASSERT_TRUE(comes_to(S::carving));
     EXPECT_TRUE(session_->emergency_stop());
     ASSERT_TRUE(comes_to(S::alarm));
-    EXPECT_EQ(session_->sight().status->alarm_cause, AlarmCause::emergency_stop);
+    EXPECT_EQ(session_->view().status->alarm_cause, AlarmCause::emergency_stop);
     session_->order(CommandKind::reset_alarm, phrase("Reset alarm"));
     ASSERT_TRUE(comes_to(S::off));
     home_session();
-    session_->start(session_->sight().status->layer);
+    session_->start(session_->view().status->layer);
     ASSERT_TRUE(comes_to(S::carving));
     EXPECT_TRUE(session_->stop());
     ASSERT_TRUE(comes_to(S::ready));
@@ -73,31 +73,31 @@ TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
 TEST_F(SessionOnCore, JogsWhileTheHandIsThere) {
     start_core();
     open_session();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().is_heard(); }));
     home_session();
-    const auto y_pulses = [&] { return session_->sight().status->position_pulses[index_of(Axis::y)]; };
+    const auto y_pulses = [&] { return session_->view().status->position_pulses[index_of(Axis::y)]; };
     const auto from_pulses = y_pulses();
     session_->jog().step(Axis::y, 1.0, 5.0);
     ASSERT_TRUE(comes_true([&] {
-        return y_pulses() == from_pulses + 400 && session_->sight().state() == S::ready;
+        return y_pulses() == from_pulses + 400 && session_->view().state() == S::ready;
     })) << all_messages();
     session_->jog().hold(Axis::y, true, 5.0);
     ASSERT_TRUE(comes_true([&] { return y_pulses() > from_pulses + 400; })) << all_messages();
     session_->jog().release();
     ASSERT_TRUE(comes_to(S::ready));
-    ASSERT_TRUE(comes_true([&] { return session_->sight().status->move_end != MoveEnd::none; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().status->move_end != MoveEnd::none; }));
 }
 
 TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     open_session();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::none; }));
     EXPECT_FALSE(session_->emergency_stop());
     start_core();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::alive; }));
     core_.reset();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::none; }));
     start_core();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::alive; }));
     home_session();
 }
 
@@ -121,9 +121,9 @@ TEST_F(SessionOnCore, FindsTheNextCoreThoughTheDiskOfAProfileHangs) {
     core_.reset();
     segment_.reset();
     ASSERT_TRUE(Segment::remove(segment_name_));
-    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::none; }));
     start_core();
-    EXPECT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::alive; }));
+    EXPECT_TRUE(comes_true([&] { return session_->view().life == CoreLife::alive; }));
     EXPECT_TRUE(session_->stop()) << "somebody hears it";
     disk.set_value();
 }
@@ -138,18 +138,18 @@ TEST_F(SessionOnCore, TakesACoreThatHasNotSignedForNone) {
     constexpr std::uint64_t kHash = 77;
     core->header().core_profile_hash.store(kHash);
     open_session();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().core_profile_hash == kHash; })) << "it is attached";
-    EXPECT_EQ(session_->sight().life, CoreLife::none);
+    ASSERT_TRUE(comes_true([&] { return session_->view().core_profile_hash == kHash; })) << "it is attached";
+    EXPECT_EQ(session_->view().life, CoreLife::none);
     EXPECT_FALSE(session_->stop()) << "nobody hears it";
 
     core->sign_core();
 
-    ASSERT_TRUE(comes_true([&] { return session_->sight().core_pid == own_pid(); }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().core_pid == own_pid(); }));
     EXPECT_TRUE(session_->stop());
     // As one in another container: alive by its lock, and its pid is of no process here.
     core->header().core.start_time.store(0);
     core->header().core.pid.store(1);
-    EXPECT_TRUE(comes_true([&] { return session_->sight().core_pid == 1U; }));
+    EXPECT_TRUE(comes_true([&] { return session_->view().core_pid == 1U; }));
 }
 
 // The segment of the shop's machine may have been the simulated one's before, and a core takes its time to be
@@ -170,21 +170,22 @@ TEST_F(SessionOnCore, ShowsNoPieceBeforeItKnowsWhoseMachineIsThere) {
     session_ = std::make_unique<MachineSession>(options, log_);
     bool was_others = false;
     bool was_too_early = false;
-    const auto& sight = session_->sight();
+    const auto& machine_view = session_->view();
     ASSERT_TRUE(comes_true([&] {
-        if (!sight.saved_piece) return false;
-        was_too_early = was_too_early || !sight.is_heard();
-        was_others = was_others || !sight.saved_piece->saved.is_simulator;
-        return sight.saved_piece->saved.checkpoint.next_layer == 7;
+        if (!machine_view.saved_piece) return false;
+        was_too_early = was_too_early || !machine_view.is_heard();
+        was_others = was_others || !machine_view.saved_piece->saved.is_simulator;
+        return machine_view.saved_piece->saved.checkpoint.next_layer == 7;
     }));
     EXPECT_FALSE(was_too_early) << "as if there were no core";
     EXPECT_FALSE(was_others);
     // Without a core it is the real machine's, until one comes that drives another.
     core_.reset();
-    ASSERT_TRUE(comes_true([&] { return sight.saved_piece && !sight.saved_piece->saved.is_simulator; }));
+    ASSERT_TRUE(comes_true(
+        [&] { return machine_view.saved_piece && !machine_view.saved_piece->saved.is_simulator; }));
     start_core();
-    ASSERT_TRUE(comes_true([&] { return sight.is_heard() && sight.status; }));
-    EXPECT_FALSE(sight.saved_piece && !sight.saved_piece->saved.is_simulator);
+    ASSERT_TRUE(comes_true([&] { return machine_view.is_heard() && machine_view.status; }));
+    EXPECT_FALSE(machine_view.saved_piece && !machine_view.saved_piece->saved.is_simulator);
 }
 
 /// As a core's guard does once it has made the port safe.
@@ -202,20 +203,20 @@ TEST_F(SessionOnCore, KeepsWhenACoreWasHeardThoughItsGuardSpeaksAfterIt) {
     start_core();
     open_session();
     home_session();
-    const auto heard = session_->sight().status_time;
+    const auto heard = session_->view().status_time;
     EXPECT_NE(heard.time_since_epoch().count(), 0);
     core_->send_signal(SIGKILL);
     core_->wait_for_exit();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().life == CoreLife::none; }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::none; }));
     attach();
     leave_words_of_guard(*segment_);
     ASSERT_TRUE(comes_to(S::alarm));
-    EXPECT_GE(session_->sight().status_time, heard);
-    EXPECT_EQ(session_->sight().heard_state, S::ready) << "its own word, not its guard's";
+    EXPECT_GE(session_->view().status_time, heard);
+    EXPECT_EQ(session_->view().heard_state, S::ready) << "its own word, not its guard's";
     open_session();  // and one that comes too late
     ASSERT_TRUE(comes_to(S::alarm));
-    EXPECT_EQ(session_->sight().status_time.time_since_epoch().count(), 0);
-    EXPECT_FALSE(session_->sight().heard_state);
+    EXPECT_EQ(session_->view().status_time.time_since_epoch().count(), 0);
+    EXPECT_FALSE(session_->view().heard_state);
 }
 
 TEST_F(SessionOnCore, ShowsTheJobOfARunningCoreAfterItsOwnRestart) {
@@ -223,22 +224,22 @@ TEST_F(SessionOnCore, ShowsTheJobOfARunningCoreAfterItsOwnRestart) {
     open_session();
     open_and_publish(two_process::lobed_job(7, 30));
     open_session();  // as after a crash: knows nothing
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::published; })) << all_messages();
-    EXPECT_EQ(desk_->sight().layer_count, 7U);
-    EXPECT_EQ(session_->sight().state(), S::off);
+    ASSERT_TRUE(comes_true([&] { return desk_->view().state == OpenJobState::published; })) << all_messages();
+    EXPECT_EQ(desk_->view().layer_count, 7U);
+    EXPECT_EQ(session_->view().state(), S::off);
 }
 
 TEST_F(SessionOnCore, KeepsTheJobOfACoreThatIsSilentForAMoment) {
     start_core();
     open_session();
     open_and_publish(two_process::lobed_job(7, 30));
-    MachineSight sight = session_->sight();
-    sight.life = CoreLife::silent;
-    desk_->poll(sight);
-    EXPECT_EQ(desk_->sight().state, DeskState::published);
-    sight.life = CoreLife::none;
-    desk_->poll(sight);
-    EXPECT_EQ(desk_->sight().state, DeskState::job);
+    MachineView machine_view = session_->view();
+    machine_view.life = CoreLife::silent;
+    desk_->poll(machine_view);
+    EXPECT_EQ(desk_->view().state, OpenJobState::published);
+    machine_view.life = CoreLife::none;
+    desk_->poll(machine_view);
+    EXPECT_EQ(desk_->view().state, OpenJobState::job);
 }
 
 TEST_F(SessionOnCore, KnowsTheCoresJobWhateverIsOpenedMeanwhile) {
@@ -247,23 +248,23 @@ TEST_F(SessionOnCore, KnowsTheCoresJobWhateverIsOpenedMeanwhile) {
     open_and_publish(two_process::lobed_job(7, 30));
     EXPECT_EQ(desk_->core_job(), desk_->job());
     desk_->open(example("small.stl"));
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
+    ASSERT_TRUE(comes_true([&] { return desk_->view().state == OpenJobState::model; })) << all_messages();
     ASSERT_NE(desk_->core_job(), nullptr);
     EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
-    EXPECT_EQ(desk_->sight().core_layer_count, 7U);
+    EXPECT_EQ(desk_->view().core_layer_count, 7U);
     open_session();  // opens a model at once: the core's job is fetched nevertheless, and not shown
     desk_->open(example("small.stl"));
     ASSERT_TRUE(comes_true([&] { return desk_->core_job() != nullptr; })) << all_messages();
     EXPECT_EQ(desk_->core_job()->view.layer_count(), 7U);
     EXPECT_EQ(desk_->job(), nullptr);
-    EXPECT_EQ(desk_->sight().state, DeskState::model);
+    EXPECT_EQ(desk_->view().state, OpenJobState::model);
 }
 
 // The core's own words, with the command's name once.
 TEST_F(SessionOnCore, SaysARefusalInTheWindowsWords) {
     start_core();
     open_session();
-    ASSERT_TRUE(comes_true([&] { return session_->sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return session_->view().is_heard(); }));
     session_->order(CommandKind::hold, phrase("Hold"));
     ASSERT_TRUE(comes_true([&] {
         return all_messages().find("Hold: not while off; home first") != std::string::npos;
@@ -278,18 +279,18 @@ TEST_F(SessionOnCore, SlicingCanBeCancelledAndRefusalsAreTold) {
     start_core();
     open_session();
     desk_->open(example("figurine.stl"));
-    ASSERT_TRUE(comes_true([&] { return desk_->sight().state == DeskState::model; })) << all_messages();
+    ASSERT_TRUE(comes_true([&] { return desk_->view().state == OpenJobState::model; })) << all_messages();
     desk_->slice(cam::JobOptions{}, Profile{});
     desk_->cancel();
-    ASSERT_TRUE(comes_true([&] { return !desk_->sight().is_busy(); }));
-    EXPECT_EQ(desk_->sight().state, DeskState::model) << all_messages();
+    ASSERT_TRUE(comes_true([&] { return !desk_->view().is_busy(); }));
+    EXPECT_EQ(desk_->view().state, OpenJobState::model) << all_messages();
     session_->start(0);
     ASSERT_TRUE(comes_true([&] { return all_messages().find("Start: ") != std::string::npos; }))
         << all_messages();
     desk_->open("no/such/file.stl");
-    ASSERT_TRUE(comes_true([&] { return !desk_->sight().is_busy(); }));
+    ASSERT_TRUE(comes_true([&] { return !desk_->view().is_busy(); }));
     EXPECT_NE(all_messages().find("no/such/file.stl"), std::string::npos);
-    EXPECT_EQ(desk_->sight().state, DeskState::model);
+    EXPECT_EQ(desk_->view().state, OpenJobState::model);
 }
 
 // The hand is renewed by a thread of its own, but only as long as the window's own loop is heard.
@@ -297,8 +298,8 @@ TEST_F(SessionOnCore, LetsGoOfAJogOnceItsOwnerHangs) {
     start_core();
     session_ =
         std::make_unique<MachineSession>(SessionOptions{segment_name_, {}, {}, kLongestJogLease}, log_);
-    desk_ = std::make_unique<JobDesk>(segment_name_, std::string{}, log_);
-    ASSERT_TRUE(comes_true([&] { return session_->sight().is_heard(); }));
+    desk_ = std::make_unique<OpenJob>(segment_name_, std::string{}, log_);
+    ASSERT_TRUE(comes_true([&] { return session_->view().is_heard(); }));
     home_session();
     session_->jog().hold(Axis::psi, true, 30.0);  // has no end of its own
     ASSERT_TRUE(comes_to(S::moving));

@@ -51,7 +51,7 @@ TEST_F(Attention, IsAskedBeforeAStartThatIsPossible) {
     };
     EXPECT_EQ(icon_of("Feed override"), "passed");
     part<QSlider>("override").setValue(80);
-    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 80; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 80; }));
     ASSERT_TRUE(comes_true([&] { return text("preflight_sum").endsWith("pass, 1 to look at"); }))
         << text("preflight_sum").toStdString();
     EXPECT_EQ(icon_of("Feed override"), "to look at");
@@ -85,7 +85,7 @@ TEST_F(Attention, IsAskedBesideTheButtonsOfASmallWindow) {
 TEST_F(Attention, IsCalledByASoundAtAnAlarmWithoutATime) {
     open_window();
     int rung = 0;
-    window_->bench().bell.set_ring([&rung] { ++rung; });
+    window_->context().bell.set_ring([&rung] { ++rung; });
     // That no core is there was seen.
     ASSERT_TRUE(comes_true([looks = 0]() mutable { return ++looks > 30; }));
     // Nobody looks while it begins and stops.
@@ -93,13 +93,13 @@ TEST_F(Attention, IsCalledByASoundAtAnAlarmWithoutATime) {
     request_emergency_stop(*segment_);
     ASSERT_TRUE(reaches(S::alarm));
     ASSERT_TRUE(comes_to(S::alarm));
-    ASSERT_NE(sight().status->is_virtual_clock, 0);
+    ASSERT_NE(machine_view().status->is_virtual_clock, 0);
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Emergency stop"); }));
     EXPECT_FALSE(all_messages().contains("Before this window was there")) << all_messages().toStdString();
     EXPECT_TRUE(comes_true([&] { return rung == 1; }));
     // The next window finds that core there.
     open_window();
-    window_->bench().bell.set_ring([&rung] { ++rung; });
+    window_->context().bell.set_ring([&rung] { ++rung; });
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Before this window was there"); }));
     EXPECT_EQ(rung, 1);
 }
@@ -108,14 +108,14 @@ TEST_F(Attention, IsCalledByASoundAtANewAlarmAlone) {
     start_core();
     open_window();
     int rung = 0;
-    window_->bench().bell.set_ring([&rung] { ++rung; });
+    window_->context().bell.set_ring([&rung] { ++rung; });
     ASSERT_TRUE(comes_to(S::off));
     window_->emergency_stop();
     ASSERT_TRUE(comes_to(S::alarm));
     ASSERT_TRUE(comes_true([&] { return rung == 1; }));
     // The next window finds it latched.
     open_window();
-    window_->bench().bell.set_ring([&rung] { ++rung; });
+    window_->context().bell.set_ring([&rung] { ++rung; });
     ASSERT_TRUE(comes_to(S::alarm));
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Before this window was there"); }));
     EXPECT_EQ(rung, 1);
@@ -149,7 +149,7 @@ TEST_F(Attention, TellsOnceOfEachAlarmOfTheTimeBeforeTheWindow) {
         part<QTabWidget>("tabs").setCurrentIndex(5);
         // The core is silent for a while, and heard again.
         core_->send_signal(SIGSTOP);
-        ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+        ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
         core_->send_signal(SIGCONT);
         ASSERT_TRUE(comes_true([&] { return all_messages().contains("heard again"); }));
         const auto& messages = part<QTableWidget>("messages");
@@ -184,7 +184,7 @@ class OnAPort : public Attention {
 protected:
     ~OnAPort() override {
         // The program that was started is its guard's parent, the core a child of its own.
-        const auto core_pid = static_cast<pid_t>(sight().core_pid);
+        const auto core_pid = static_cast<pid_t>(machine_view().core_pid);
         if (core_pid > 1) kill(core_pid, SIGKILL);
     }
     void start_port_core() {

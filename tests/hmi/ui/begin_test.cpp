@@ -29,11 +29,11 @@ protected:
 TEST_F(WindowBegins, BeforeItsProfileIsReadAndOpensItsFileAfter) {
     begin_with(profile_, model_);
     EXPECT_TRUE(window_->isVisible());
-    EXPECT_FALSE(window_->bench().machine.options().profile) << "somebody else reads it";
-    EXPECT_EQ(window_->bench().desk.sight().state, session::DeskState::empty);
-    ASSERT_TRUE(comes_to(session::DeskState::model));
-    ASSERT_TRUE(window_->bench().machine.options().profile);
-    EXPECT_EQ(window_->bench().machine_profile().name, "workshop");
+    EXPECT_FALSE(window_->context().machine.options().profile) << "somebody else reads it";
+    EXPECT_EQ(window_->context().open_job.view().state, session::OpenJobState::empty);
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
+    ASSERT_TRUE(window_->context().machine.options().profile);
+    EXPECT_EQ(window_->context().machine_profile().name, "workshop");
     ASSERT_TRUE(comes_true([&] { return profile().draft().path() == profile_; }));
 }
 
@@ -41,9 +41,9 @@ TEST_F(WindowBegins, AndRefusesFilesUntilTheMachineIsKnown) {
     begin_with(profile_, {});
     window_->open(QString::fromStdString(model_));
     EXPECT_TRUE(all_messages().contains("Open: the machine's profile is still being read"));
-    ASSERT_TRUE(comes_true([&] { return window_->bench().machine.options().profile.has_value(); }));
+    ASSERT_TRUE(comes_true([&] { return window_->context().machine.options().profile.has_value(); }));
     window_->open(QString::fromStdString(model_));
-    EXPECT_TRUE(comes_to(session::DeskState::model));
+    EXPECT_TRUE(comes_to(session::OpenJobState::model));
 }
 
 TEST_F(WindowBegins, AndSaysWhyAProfileIsNotTakenAndOpensNothingForAnotherMachine) {
@@ -53,15 +53,16 @@ TEST_F(WindowBegins, AndSaysWhyAProfileIsNotTakenAndOpensNothingForAnotherMachin
     EXPECT_EQ(title.text().remove(QChar{0x200B}).toStdString(), "gone.toml was not opened");
     EXPECT_TRUE(all_messages().contains("Not opened, as the machine's profile was not"))
         << all_messages().toStdString();
-    EXPECT_EQ(window_->bench().desk.sight().state, session::DeskState::empty);
+    EXPECT_EQ(window_->context().open_job.view().state, session::OpenJobState::empty);
 }
 
 TEST_F(WindowBegins, WithTheMachinesMillimetresOnceItsProfileIsThere) {
     start_core({"--profile", profile_});
     begin_with(profile_, {});
-    ASSERT_TRUE(comes_true([&] { return sight().profile && sight().profile->name == "workshop"; }))
-        << all_messages().toStdString();
-    EXPECT_EQ(sight().unused_profile, "");
+    ASSERT_TRUE(comes_true([&] {
+        return machine_view().profile && machine_view().profile->name == "workshop";
+    })) << all_messages().toStdString();
+    EXPECT_EQ(machine_view().unused_profile, "");
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ protected:
         ASSERT_TRUE(click("home"));
         ASSERT_TRUE(comes_to(S::ready));
     }
-    const session::MachineSight& sight() { return window_->bench().machine.sight(); }
-    std::int64_t pulses(Axis axis) { return sight().status->position_pulses[index_of(axis)]; }
+    const session::MachineView& machine_view() { return window_->context().machine.view(); }
+    std::int64_t pulses(Axis axis) { return machine_view().status->position_pulses[index_of(axis)]; }
     void key(QEvent::Type type, int code, Qt::KeyboardModifiers with = Qt::NoModifier,
              bool is_repeat = false) {
         QKeyEvent event{type, code, with, QString{}, is_repeat};
@@ -69,7 +69,7 @@ TEST_F(ByHand, KeysMoveTheMachineOnlyWhileTheyAreArmed) {
     ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) > from_pulses; })) << all_messages().toStdString();
     key(QEvent::KeyPress, Qt::Key_Up, Qt::NoModifier, true);
     key(QEvent::KeyRelease, Qt::Key_Up, Qt::NoModifier, true);
-    EXPECT_EQ(sight().state(), S::moving);
+    EXPECT_EQ(machine_view().state(), S::moving);
     let_go(Qt::Key_Up);
     ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(click("arm_keys"));
@@ -98,11 +98,12 @@ TEST_F(ByHand, EveryKeyMovesItsAxisByAStepItsWay) {
                           Key{Qt::Key_Down, Qt::NoModifier, Axis::y, -kStep_pulses},
                           Key{Qt::Key_Right, Qt::NoModifier, Axis::psi, degree_pulses},
                           Key{Qt::Key_Left, Qt::NoModifier, Axis::psi, -degree_pulses}}) {
-        auto wanted = std::to_array(sight().status->position_pulses);
+        auto wanted = std::to_array(machine_view().status->position_pulses);
         wanted[index_of(one.axis)] += one.way_pulses;
         press(one.code, one.with | Qt::ShiftModifier);
         ASSERT_TRUE(comes_true([&] {
-            return sight().state() == S::ready && std::to_array(sight().status->position_pulses) == wanted;
+            return machine_view().state() == S::ready &&
+                   std::to_array(machine_view().status->position_pulses) == wanted;
         })) << name_of(one.axis)
             << ' ' << one.way_pulses << all_messages().toStdString();
     }
@@ -127,7 +128,7 @@ TEST_F(ByHand, ArmedKeysAreDisarmedByATextFieldADialogAndTheEmergencyStop) {
         const auto before = pulses(Axis::y);
         press(Qt::Key_Down);
         EXPECT_FALSE(
-            comes_true([&] { return sight().state() == S::moving; }, std::chrono::milliseconds{300}));
+            comes_true([&] { return machine_view().state() == S::moving; }, std::chrono::milliseconds{300}));
         EXPECT_EQ(pulses(Axis::y), before);
     }
     if (!is_armed()) {
@@ -146,8 +147,9 @@ TEST_F(ByHand, JogsBothHeadsInAndOut) {
     const auto r2_pulses = pulses(Axis::r2);
     EXPECT_EQ(button("jog_heads_in").toolTip(), "Both heads in");
     ASSERT_TRUE(click("jog_heads_in"));
-    ASSERT_TRUE(comes_true([&] { return pulses(Axis::r2) == r2_pulses - 40 && sight().state() == S::ready; }))
-        << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] {
+        return pulses(Axis::r2) == r2_pulses - 40 && machine_view().state() == S::ready;
+    })) << all_messages().toStdString();
     EXPECT_EQ(pulses(Axis::r1), r1_pulses - 40);
     button("jog_heads_in").setDown(true);
     Q_EMIT button("jog_heads_in").pressed();
@@ -169,7 +171,7 @@ TEST_F(ByHand, HomesTheSelectedAxisAlone) {
         select(row);
         ASSERT_TRUE(click("home_one"));
         ASSERT_TRUE(comes_true([&, mask = mask] {
-            return sight().status->homed_mask == mask && sight().state() == S::off;
+            return machine_view().status->homed_mask == mask && machine_view().state() == S::off;
         })) << row
             << all_messages().toStdString();
     }
@@ -183,8 +185,8 @@ TEST_F(ByHand, AZeroIsShownKeptAndForgottenAndMovesNothing) {
     select("axis_y");
     const auto from_pulses = pulses(Axis::y);
     ASSERT_TRUE(click("jog_y_up"));
-    ASSERT_TRUE(
-        comes_true([&] { return sight().state() == S::ready && pulses(Axis::y) == from_pulses + 40; }));
+    ASSERT_TRUE(comes_true(
+        [&] { return machine_view().state() == S::ready && pulses(Axis::y) == from_pulses + 40; }));
     auto* const second = window_->findChild<QLabel*>("second_y");
     EXPECT_EQ(second->text(), "height");
     const auto stands_pulses = pulses(Axis::y);
@@ -212,7 +214,7 @@ TEST_F(ByHand, TheTableTellsItsTurnsWhateverItsZero) {
     open_homed();
     auto* const second = window_->findChild<QLabel*>("second_psi");
     auto* const position = window_->findChild<QLabel*>("position_psi");
-    const std::int64_t per_rev = sight().profile->psi.pulses_per_rev;
+    const std::int64_t per_rev = machine_view().profile->psi.pulses_per_rev;
     Command turn{};
     turn.kind = CommandKind::jog;
     turn.axis = static_cast<std::uint32_t>(index_of(Axis::psi));
@@ -220,7 +222,7 @@ TEST_F(ByHand, TheTableTellsItsTurnsWhateverItsZero) {
     turn.lease_token = 7;
     turn.lease_ms = 2000;
     const std::int64_t begin_pulses = pulses(Axis::psi);
-    window_->bench().machine.order(turn, session::phrase("Turn"));
+    window_->context().machine.order(turn, session::phrase("Turn"));
     ASSERT_TRUE(comes_true([&] { return pulses(Axis::psi) > begin_pulses; })) << all_messages().toStdString();
     ASSERT_TRUE(comes_to(S::ready));
     const std::int64_t turns = pulses(Axis::psi) / per_rev;
@@ -244,7 +246,7 @@ TEST_F(ByHand, TestsTheWiringOfOneOutputWithTheDrivesOff) {
     EXPECT_EQ(button("arm_wiring").toolTip(), "Wiring test: switch the drives off first");
     ASSERT_TRUE(click("drives_off"));
     ASSERT_TRUE(comes_to(S::off));
-    EXPECT_EQ(sight().status->homed_mask, 0);
+    EXPECT_EQ(machine_view().status->homed_mask, 0);
     EXPECT_FALSE(button("hold_high").isVisible());
     ASSERT_TRUE(click("arm_wiring"));
     auto* const outputs = window_->findChild<QComboBox*>("test_output");
@@ -252,9 +254,9 @@ TEST_F(ByHand, TestsTheWiringOfOneOutputWithTheDrivesOff) {
     button("hold_high").setDown(true);
     Q_EMIT button("hold_high").pressed();
     ASSERT_TRUE(comes_true([&] {
-        return (sight().status->signals & kOutputMask) == bit_of(Signal::spindle);
+        return (machine_view().status->signals & kOutputMask) == bit_of(Signal::spindle);
     })) << all_messages().toStdString();
-    EXPECT_EQ(sight().state(), S::testing);
+    EXPECT_EQ(machine_view().state(), S::testing);
     auto* const pins = window_->findChild<QTableWidget*>("pins");
     EXPECT_LE(pins->verticalHeader()->length(), pins->viewport()->height()) << "every input is in sight";
     EXPECT_EQ(button("start").toolTip(), "Start: an output is tested");
@@ -262,12 +264,13 @@ TEST_F(ByHand, TestsTheWiringOfOneOutputWithTheDrivesOff) {
     Q_EMIT button("hold_high").released();
     button("hold_high").setDown(false);
     ASSERT_TRUE(comes_to(S::off));
-    EXPECT_EQ(sight().status->signals & kOutputMask, 0U);
+    EXPECT_EQ(machine_view().status->signals & kOutputMask, 0U);
     outputs->setCurrentIndex(outputs->findData(static_cast<int>(index_of(Signal::r2_step))));
     window_->findChild<QSpinBox*>("test_pulses")->setValue(30);
     ASSERT_TRUE(click("send_pulses"));
     ASSERT_TRUE(comes_true([&] {
-        return sight().status->sim_ignored_pulses[index_of(Axis::r2)] == 30 && sight().state() == S::off;
+        return machine_view().status->sim_ignored_pulses[index_of(Axis::r2)] == 30 &&
+               machine_view().state() == S::off;
     })) << all_messages().toStdString();
     ASSERT_TRUE(click("arm_wiring"));
     EXPECT_TRUE(comes_true([&] { return !button("hold_high").isVisible(); }));

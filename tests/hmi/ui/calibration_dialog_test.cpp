@@ -58,7 +58,7 @@ TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
     ASSERT_NO_FATAL_FAILURE(write_profile());
     start_core({"--profile", file("machine.toml")});
     open_with_profile();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     EXPECT_EQ(text("calibration_title"), "1 of 6: Touch-off of R1");
     ASSERT_TRUE(comes_true([&] {
         return text("calibration_reason") ==
@@ -70,9 +70,10 @@ TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
     move.kind = CommandKind::move;
     move.axis = 1U << index_of(Axis::r1);
     move.target[index_of(Axis::r1)] = 12.5;
-    window_->bench().machine.order(move, session::phrase("Go to"));
+    window_->context().machine.order(move, session::phrase("Go to"));
     ASSERT_TRUE(comes_true([&] {
-        return sight().state() == S::ready && sight().status->position_pulses[index_of(Axis::r1)] == 5000;
+        return machine_view().state() == S::ready &&
+               machine_view().status->position_pulses[index_of(Axis::r1)] == 5000;
     })) << all_messages().toStdString();
     ASSERT_TRUE(click("calibrate_0_here"));
     EXPECT_EQ(part<QLineEdit>("calibrate_0_counted").text(), "12.50000");

@@ -78,7 +78,7 @@ protected:
         ASSERT_NO_FATAL_FAILURE(carve_job(post_job(profile, tip_mm)));
         ASSERT_TRUE(comes_true([&] { return is_done() && is_shown(); })) << all_messages().toStdString();
     }
-    bool is_done() { return sight().state() == S::ready && sight().status->job_end_tick != 0; }
+    bool is_done() { return machine_view().state() == S::ready && machine_view().status->job_end_tick != 0; }
     bool is_shown() {
         const auto& bodies = view().picture().bodies;
         if (bodies.empty()) return false;
@@ -162,7 +162,7 @@ TEST_F(CarvedByTool, MoreIsLeftInAGrooveThatABallDoesNotReachInto) {
 
 TEST_F(CarvedByTool, IsThePieceThatTheJobsToolIsToLeave) {
     ASSERT_NO_FATAL_FAILURE(carve_with(ToolShape::ball));
-    const auto job = window_->bench().desk.core_job();
+    const auto job = window_->context().open_job.core_job();
     ASSERT_TRUE(job);
     const auto geometry = verify::JobGeometry::make(job->view, job->profile).value();
     const piece::StockMap wanted =
@@ -193,7 +193,7 @@ TEST_F(CarvedByTool, IsThePieceThatTheJobsToolIsToLeave) {
     // A window that comes later shows the same.
     open_window();
     window_->findChild<QTabWidget*>()->setCurrentIndex(2);
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && is_shown(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard() && is_shown(); }));
     EXPECT_TRUE(comes_true([&] { return worst_mm() < 0.5 * wanted.row_mm(); })) << worst_mm();
 }
 

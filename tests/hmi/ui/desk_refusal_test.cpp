@@ -15,9 +15,9 @@
 namespace psicarve::ui {
 namespace {
 
-using DS = session::DeskState;
+using DS = session::OpenJobState;
 
-class DeskRefusal : public test::WindowRig {
+class OpenJobRefusal : public test::WindowRig {
 protected:
     QString text(const char* label) { return part<QLabel>(label).text().remove(QChar{0x200B}); }
     bool is_told() { return part<QWidget>("desk_refusal").isVisible(); }
@@ -30,7 +30,7 @@ protected:
         ASSERT_TRUE(click("slice"));
         ASSERT_TRUE(comes_true([&] { return is_told(); })) << all_messages().toStdString();
         EXPECT_EQ(text("desk_refusal_title"), "Not sliced");
-        EXPECT_EQ(window_->bench().desk.sight().state, DS::model);
+        EXPECT_EQ(window_->context().open_job.view().state, DS::model);
     }
     void take_and_slice(const char* remedy) {
         ASSERT_TRUE(click(remedy));
@@ -39,7 +39,7 @@ protected:
     }
 };
 
-TEST_F(DeskRefusal, OfAModelTooTallHasTheHeightThatFits) {
+TEST_F(OpenJobRefusal, OfAModelTooTallHasTheHeightThatFits) {
     open_window();
     open(example("figurine.stl"));
     part<QDoubleSpinBox>("scale").setValue(10.0);
@@ -62,7 +62,7 @@ TEST_F(DeskRefusal, OfAModelTooTallHasTheHeightThatFits) {
     EXPECT_EQ(text("desk_state"), "The job is ready to be published.");
 }
 
-TEST_F(DeskRefusal, OfTooManyLayersHasHowManyThereCanBe) {
+TEST_F(OpenJobRefusal, OfTooManyLayersHasHowManyThereCanBe) {
     open_window();
     open(example("small.stl"));
     part<QSpinBox>("layers").setValue(9999);
@@ -72,7 +72,7 @@ TEST_F(DeskRefusal, OfTooManyLayersHasHowManyThereCanBe) {
     EXPECT_LT(part<QSpinBox>("layers").value(), 9999);
 }
 
-TEST_F(DeskRefusal, OfAModelInInchesHasTheScale) {
+TEST_F(OpenJobRefusal, OfAModelInInchesHasTheScale) {
     std::ofstream{file("inch.obj")} << "v -.05 -.05 0\nv .05 -.05 0\nv .05 .05 0\nv -.05 .05 0\nv 0 0 .9\n"
                                        "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
     open_window();
@@ -83,7 +83,7 @@ TEST_F(DeskRefusal, OfAModelInInchesHasTheScale) {
     EXPECT_EQ(part<QDoubleSpinBox>("scale").value(), 25.4);
 }
 
-TEST_F(DeskRefusal, OfAnAxisBesideTheModelHasTheOneThatLosesLeast) {
+TEST_F(OpenJobRefusal, OfAnAxisBesideTheModelHasTheOneThatLosesLeast) {
     open_window();
     open(example("small.stl"));
     auto& axis = part<QComboBox>("axis_at");
@@ -96,7 +96,7 @@ TEST_F(DeskRefusal, OfAnAxisBesideTheModelHasTheOneThatLosesLeast) {
     EXPECT_EQ(axis.currentIndex(), 2);
 }
 
-TEST_F(DeskRefusal, GoesWithTheFieldThatItWasAbout) {
+TEST_F(OpenJobRefusal, GoesWithTheFieldThatItWasAbout) {
     open_window();
     open(example("figurine.stl"));
     part<QDoubleSpinBox>("scale").setValue(10.0);
@@ -108,7 +108,7 @@ TEST_F(DeskRefusal, GoesWithTheFieldThatItWasAbout) {
     EXPECT_FALSE(is_told()) << "its height would be of another scale";
 }
 
-TEST_F(DeskRefusal, GoesWithWhateverIsAskedForNextAndIsNoneOfACancelledOne) {
+TEST_F(OpenJobRefusal, GoesWithWhateverIsAskedForNextAndIsNoneOfACancelledOne) {
     open_window();
     open(example("figurine.stl"));
     part<QDoubleSpinBox>("scale").setValue(10.0);
@@ -122,7 +122,7 @@ TEST_F(DeskRefusal, GoesWithWhateverIsAskedForNextAndIsNoneOfACancelledOne) {
     part<QSpinBox>("points").setValue(2000);
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(click("cancel"));
-    ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
+    ASSERT_TRUE(comes_true([&] { return !window_->context().open_job.view().is_busy(); }));
     EXPECT_FALSE(is_told());
 }
 

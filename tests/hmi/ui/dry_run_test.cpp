@@ -33,7 +33,7 @@ protected:
         ASSERT_TRUE(comes_to(S::ready));
     }
     QString state_word() { return part<QWidget>("state_pill").accessibleName(); }
-    bool is_over() { return sight().state() == S::ready && sight().status->job_end_tick != 0; }
+    bool is_over() { return machine_view().state() == S::ready && machine_view().status->job_end_tick != 0; }
 };
 
 TEST_F(DryRun, GoesThroughTheJobWithTheSpindleOffAndIsNotTakenForCarving) {
@@ -46,16 +46,16 @@ TEST_F(DryRun, GoesThroughTheJobWithTheSpindleOffAndIsNotTakenForCarving) {
     auto& ports = static_cast<PortsPage&>(part<QWidget>("ports_page"));
     ports.record_to(QString::fromStdString(file("dry.trace")));
     ASSERT_TRUE(comes_true([&] {
-        return window_->bench().pins.state() == session::PinRecorder::State::recording;
+        return window_->context().pins.state() == session::PinRecorder::State::recording;
     })) << all_messages().toStdString();
     ASSERT_TRUE(click("start"));
     bool was_spindle_on = false;
     ASSERT_TRUE(comes_true([&] {
-        was_spindle_on = was_spindle_on || sight().is_active(Signal::spindle);
-        return sight().status->is_dry != 0 && is_over();
+        was_spindle_on = was_spindle_on || machine_view().is_active(Signal::spindle);
+        return machine_view().status->is_dry != 0 && is_over();
     })) << all_messages().toStdString();
     EXPECT_FALSE(was_spindle_on);
-    EXPECT_EQ(sight().status->points_done, sight().status->points_total);
+    EXPECT_EQ(machine_view().status->points_done, machine_view().status->points_total);
     ASSERT_TRUE(click("record_pins"));
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Pins recorded: "); }));
     EXPECT_FALSE(all_messages().contains("Verif")) << all_messages().toStdString();
@@ -74,11 +74,11 @@ TEST_F(DryRun, SaysItsStateAndGoesOnFromWhereItWaits) {
     ASSERT_TRUE(comes_to(S::carving));
     ASSERT_TRUE(comes_true([&] { return state_word().startsWith("DRY RUN, Layer "); }))
         << state_word().toStdString();
-    EXPECT_FALSE(sight().is_active(Signal::spindle));
-    ASSERT_TRUE(comes_true([&] { return sight().status->layer > 2; }));
+    EXPECT_FALSE(machine_view().is_active(Signal::spindle));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->layer > 2; }));
     window_->findChild<QTabWidget*>()->setCurrentIndex(2);
     ASSERT_TRUE(comes_true([&] { return part<QLabel>("carving_point").text().startsWith("Layer "); }));
-    EXPECT_FALSE(sight().resumable_layer);
+    EXPECT_FALSE(machine_view().resumable_layer);
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_EQ(part<QSpinBox>("layer").value(), 1) << "nothing was carved: the first layer is the next";
@@ -86,8 +86,8 @@ TEST_F(DryRun, SaysItsStateAndGoesOnFromWhereItWaits) {
     EXPECT_EQ(button("start").text(), "Start");
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_to(S::carving));
-    EXPECT_EQ(sight().status->is_dry, 0U);
-    EXPECT_TRUE(sight().is_active(Signal::spindle));
+    EXPECT_EQ(machine_view().status->is_dry, 0U);
+    EXPECT_TRUE(machine_view().is_active(Signal::spindle));
     EXPECT_TRUE(comes_true([&] { return state_word().startsWith("CARVING, "); }));
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
@@ -112,7 +112,7 @@ TEST_F(DryRun, FromALayerIsAskedForAsWhatItWasWhenItWasAsked) {
     ASSERT_TRUE(click("from_layer"));
     EXPECT_TRUE(question.startsWith("Dry run from layer 3: ")) << question.toStdString();
     ASSERT_TRUE(comes_true([&] { return is_over(); })) << all_messages().toStdString();
-    EXPECT_EQ(sight().status->is_dry, 1U);
+    EXPECT_EQ(machine_view().status->is_dry, 1U);
 }
 
 }  // namespace

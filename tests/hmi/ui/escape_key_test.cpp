@@ -36,9 +36,10 @@ protected:
     }
     /// Whatever was asked of the core is done, and it carves all the same.
     ::testing::AssertionResult goes_on_carving() {
-        const auto done = sight().status->points_done;
-        if (!comes_true([&] { return sight().status->points_done > done + 20; }))
-            return ::testing::AssertionFailure() << name_of(sight().state()) << all_messages().toStdString();
+        const auto done = machine_view().status->points_done;
+        if (!comes_true([&] { return machine_view().status->points_done > done + 20; }))
+            return ::testing::AssertionFailure()
+                   << name_of(machine_view().state()) << all_messages().toStdString();
         return comes_to(S::carving);
     }
     qsizetype times_said(const char* what) const { return all_messages().count(what); }
@@ -51,10 +52,11 @@ TEST_F(EscapeKey, HoldsAndNeitherResumesNorEnds) {
     EXPECT_EQ(times_said("Hold asked for by Esc: Resume or the Pause key goes on"), 1);
     press(*window_);
     press(part<QTabWidget>("tabs"));
-    const auto beat = sight().status->heartbeat;
-    ASSERT_TRUE(comes_true(
-        [&] { return !window_->bench().machine.has_orders() && sight().status->heartbeat > beat + 2; }));
-    ASSERT_EQ(sight().state(), S::held);
+    const auto beat = machine_view().status->heartbeat;
+    ASSERT_TRUE(comes_true([&] {
+        return !window_->context().machine.has_orders() && machine_view().status->heartbeat > beat + 2;
+    }));
+    ASSERT_EQ(machine_view().state(), S::held);
     EXPECT_EQ(times_said("Hold asked for"), 1);
     EXPECT_EQ(times_said("Stop asked for"), 0);
     ASSERT_TRUE(click("resume"));
@@ -142,8 +144,9 @@ TEST_F(EscapeKey, EndsWhatCannotBeHeld) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::homing));
     press(*window_);
-    ASSERT_TRUE(comes_true([&] { return sight().state() != S::homing && is_at_rest(sight().state()); }));
-    EXPECT_EQ(sight().state(), S::off) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true(
+        [&] { return machine_view().state() != S::homing && is_at_rest(machine_view().state()); }));
+    EXPECT_EQ(machine_view().state(), S::off) << all_messages().toStdString();
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     press(*window_);
@@ -151,7 +154,7 @@ TEST_F(EscapeKey, EndsWhatCannotBeHeld) {
     // Where the computer is busy a jog on the virtual clock may be over, for want of news, before anybody
     // sees it.
     QAbstractButton& turn = button("jog_psi_plus");
-    const auto moves = [&] { return sight().state() == S::moving; };
+    const auto moves = [&] { return machine_view().state() == S::moving; };
     for (int attempt = 0; attempt < 20; ++attempt) {
         turn.setDown(true);
         Q_EMIT turn.pressed();

@@ -33,7 +33,7 @@ using S = MachineState;
 
 class EveryButton : public replay::test::RecordedOn<test::PagesRig> {
 protected:
-    std::int64_t pulses(Axis axis) { return sight().status->position_pulses[index_of(axis)]; }
+    std::int64_t pulses(Axis axis) { return machine_view().status->position_pulses[index_of(axis)]; }
     MeshView& view_beside(const QPushButton& button) {
         for (QWidget* at = button.parentWidget(); at != nullptr; at = at->parentWidget()) {
             for (QWidget* child : at->findChildren<QWidget*>()) {
@@ -66,7 +66,7 @@ TEST_F(EveryButton, OfTheJogPadMovesItsAxisByAStepItsWay) {
         const auto pulses_of_step = std::llround(step * axis_motion(profile, pad.axis).pulses_per_unit);
         ASSERT_TRUE(click(pad.name));
         ASSERT_TRUE(comes_true([&] {
-            return sight().state() == S::ready &&
+            return machine_view().state() == S::ready &&
                    pulses(pad.axis) == before[index_of(pad.axis)] + pad.way * pulses_of_step;
         })) << pad.name
             << ": " << pulses(pad.axis) - before[index_of(pad.axis)] << all_messages().toStdString();
@@ -94,20 +94,20 @@ TEST_F(EveryButton, OfAnAlarmMovesTheAxisOffItsSwitchAndResets) {
     ASSERT_TRUE(comes_to(S::ready));
     part<QButtonGroup>("jog_linear_step").buttons().back()->click();  // 10 mm
     ASSERT_TRUE(click("jog_r1_in"));
-    ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && pulses(Axis::r1) < 21'000; }))
+    ASSERT_TRUE(comes_true([&] { return machine_view().state() == S::ready && pulses(Axis::r1) < 21'000; }))
         << pulses(Axis::r1) << all_messages().toStdString();
     part<QSlider>("jog_linear_speed").setValue(10);  // 1 mm/s: slow enough
     ASSERT_TRUE(click("jog_r1_out"));
     ASSERT_TRUE(comes_to(S::alarm));
-    ASSERT_TRUE(sight().is_active(Signal::r1_limit));
+    ASSERT_TRUE(machine_view().is_active(Signal::r1_limit));
     EXPECT_TRUE(part<QLabel>("alarm_title").text().contains("R1"))
         << part<QLabel>("alarm_title").text().toStdString();
     EXPECT_EQ(button("reset_alarm").toolTip(), "Switch R1 is still closed");
-    const auto truly = [&] { return sight().status->sim_true_position_pulses[index_of(Axis::r1)]; };
+    const auto truly = [&] { return machine_view().status->sim_true_position_pulses[index_of(Axis::r1)]; };
     const std::int64_t at_switch = truly();
     ASSERT_TRUE(click("back_off"));
     ASSERT_TRUE(comes_true([&] {
-        return sight().state() == S::alarm && !sight().is_active(Signal::r1_limit);
+        return machine_view().state() == S::alarm && !machine_view().is_active(Signal::r1_limit);
     })) << all_messages().toStdString();
     EXPECT_LT(truly(), at_switch);
     EXPECT_EQ(button("back_off").toolTip(), "Back off: no switch is closed");
@@ -120,7 +120,7 @@ TEST_F(EveryButton, OfAnAlarmMovesTheAxisOffItsSwitchAndResets) {
 TEST_F(EveryButton, OfAViewTurnsIt) {
     open_window();
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     constexpr double kQuarter_rad = 1.5707963267948966;
     for (const char* page : {"model_page", "carving_page"}) {
         show_page(page);
@@ -193,7 +193,7 @@ TEST_F(EveryButton, OfATimelineGoesToItsEndAndItsBegin) {
     record();
     open_window();
     window_->open(QString::fromStdString(trace()));
-    replay::ReplayDesk& desk = window_->bench().replay;
+    replay::ReplaySession& desk = window_->context().replay;
     ASSERT_TRUE(comes_true([&] { return desk.is_open() && desk.is_settled(); }));
     ASSERT_TRUE(click("replay_begin"));
     EXPECT_EQ(desk.clock().now_ns(), 0);
@@ -201,7 +201,7 @@ TEST_F(EveryButton, OfATimelineGoesToItsEndAndItsBegin) {
     EXPECT_EQ(desk.clock().now_ns(), desk.clock().end_ns());
     ASSERT_TRUE(comes_true([&] { return desk.is_settled(); }));
     for (const Axis axis : kAllAxes)
-        EXPECT_EQ(desk.sight().status->position_pulses[index_of(axis)], end_.position_pulses[index_of(axis)])
+        EXPECT_EQ(desk.view().status->position_pulses[index_of(axis)], end_.position_pulses[index_of(axis)])
             << name_of(axis);
     ASSERT_TRUE(click("replay_begin"));
     EXPECT_EQ(desk.clock().now_ns(), 0);

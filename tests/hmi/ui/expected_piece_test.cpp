@@ -17,7 +17,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 
 class ExpectedPiece : public test::WindowRig {
 protected:
@@ -26,7 +26,7 @@ protected:
     void open(const QString& path) {
         open_window();
         window_->open(path);
-        ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
         window_->refresh();
     }
     void take_ball() { part<QComboBox>("tool").setCurrentIndex(2); }
@@ -34,7 +34,7 @@ protected:
         part<QSpinBox>("layers").setValue(layers);
         part<QSpinBox>("points").setValue(points);
         ASSERT_TRUE(click("slice"));
-        ASSERT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(OpenJobState::job)) << all_messages().toStdString();
     }
     QString facts() { return part<QLabel>("piece_facts").text(); }
     bool tells(const QString& wanted) {
@@ -112,13 +112,14 @@ TEST_F(ExpectedPiece, OfAJobThatWasOpenedHasNoModelToBeComparedWith) {
     ASSERT_NO_FATAL_FAILURE(open_small());
     take_ball();
     ASSERT_NO_FATAL_FAILURE(slice());
-    const auto job = window_->bench().desk.job();
+    const auto job = window_->context().open_job.job();
     Snapshot snapshot;
     snapshot.job_blob = job->blob;
     ASSERT_TRUE(save_snapshot(snapshot, file("owl.job")));
     window_->open(QString::fromStdString(file("owl.job")));
-    ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.mesh() && window_->bench().desk.job(); }))
-        << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] {
+        return !window_->context().open_job.mesh() && window_->context().open_job.job();
+    })) << all_messages().toStdString();
     ASSERT_TRUE(click("view_piece"));
     ASSERT_TRUE(tells("nothing to compare the piece with")) << facts().toStdString();
     EXPECT_TRUE(shown_scene());

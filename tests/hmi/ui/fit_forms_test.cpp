@@ -9,9 +9,9 @@ TEST_P(Fit, WithASlicedModel) {
     open_small();
     std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
     window_->open(QString::fromStdString(file(kLongName)));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     expect_pages_fit("sliced");
     expect_panels_fit("sliced");
 }

@@ -114,7 +114,7 @@ protected:
         core_->wait_for_exit();
         start_core();
     }
-    void open_example(const char* name, session::DeskState state = session::DeskState::model) {
+    void open_example(const char* name, session::OpenJobState state = session::OpenJobState::model) {
         window_->open(QString::fromStdString(example("")) + name);
         ASSERT_TRUE(comes_to(state));
     }

@@ -8,7 +8,7 @@ namespace {
 
 TEST_P(Fit, WithNothingOpen) {
     open_small();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     expect_pages_fit("empty");
     expect_panels_fit("empty");
 }
@@ -37,9 +37,10 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(MachineState::ready));
     const auto carve = [&](std::uint32_t layers) {
-        window_->bench().machine.start(0, layers);
-        ASSERT_TRUE(comes_true(
-            [&] { return sight().state() == MachineState::ready && sight().resumable_layer == layers; }));
+        window_->context().machine.start(0, layers);
+        ASSERT_TRUE(comes_true([&] {
+            return machine_view().state() == MachineState::ready && machine_view().resumable_layer == layers;
+        }));
     };
     carve(4);
     carve(2);
@@ -47,7 +48,8 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     expect_fit("unfinished_piece");
     expect_panels_fit("unfinished_piece");
     start_core_anew();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().state() == MachineState::off; }));
+    ASSERT_TRUE(
+        comes_true([&] { return machine_view().is_heard() && machine_view().state() == MachineState::off; }));
     expect_fit("unfinished_piece_of_a_core_before");
     // What has to be done first, and the way back, are no matter of room.
     EXPECT_TRUE(part<QLabel>("unfinished_details").isVisible());
@@ -55,11 +57,11 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     const Checkpoint own = read_record(record).value_or(Checkpoint{});
     write_record(record, checkpoint_at(own.job_checksum, own.next_layer, own.layer_count, own.earlier_layer,
                                        own.origin | kCheckpointFromDisk));
-    ASSERT_TRUE(comes_true([&] { return sight().is_checkpoint_from_disk; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_checkpoint_from_disk; }));
     EXPECT_TRUE(button("unfinished_forget").isVisible());
     expect_fit("unfinished_piece_from_disk");
     const session::UnfinishedPiece piece{2, 4, 4000};
-    const auto needs = session::unfinished_needs(piece, sight());
+    const auto needs = session::unfinished_needs(piece, machine_view());
     EXPECT_EQ(needs.size(), 2U);
     for (const session::Phrase& need : room_in(size()) == Room::small ? needs : decltype(needs){})
         EXPECT_TRUE(part<QLabel>("unfinished_details").text().contains(words(need)))
@@ -106,11 +108,12 @@ TEST_P(Fit, WithAPieceOfAnotherCoreAndProfile) {
     open_window();
     window_->resize(size());
     ASSERT_TRUE(comes_true([&] {
-        return sight().is_heard() && sight().saved_piece && sight().saved_piece->keeper == Keeper::other_core;
+        return machine_view().is_heard() && machine_view().saved_piece &&
+               machine_view().saved_piece->keeper == Keeper::other_core;
     }));
     setenv("PSICARVE_STATE", "", 1);
     expect_fit("saved_piece_of_another_core");
-    const auto needs = session::saved_needs(*sight().saved_piece, sight());
+    const auto needs = session::saved_needs(*machine_view().saved_piece, machine_view());
     EXPECT_EQ(needs.size(), 4U);
     for (const session::Phrase& need : needs) {
         if (room_in(size()) != Room::small) break;
@@ -130,8 +133,8 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     ASSERT_TRUE(comes_to(MachineState::ready));
     expect_fit("ready");
     expect_panels_fit("ready");
-    window_->bench().machine.set_override(80);
-    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 80; }));
+    window_->context().machine.set_override(80);
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 80; }));
     expect_fit("ready_to_be_looked_at");
     expect_panels_fit("ready_to_be_looked_at");
     ASSERT_TRUE(click("start"));
@@ -152,15 +155,15 @@ TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
     std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
     window_->open(QString::fromStdString(file(kLongName)));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     ASSERT_FALSE(part<QWidget>("desk_job").isHidden());
     expect_fit("two_jobs");
     expect_panels_fit("two_jobs");
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(MachineState::ready));
-    window_->bench().machine.start(0);  // by another program
+    window_->context().machine.start(0);  // by another program
     ASSERT_TRUE(comes_to(MachineState::carving));
     expect_fit("two_jobs_carving");
     expect_panels_fit("two_jobs_carving");
@@ -170,7 +173,7 @@ TEST_P(Fit, WithASlicingThatWasRefused) {
     open_small();
     std::filesystem::copy_file(example("figurine.stl"), file(kLongName));
     window_->open(QString::fromStdString(file(kLongName)));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     part<QDoubleSpinBox>("scale").setValue(10.0);
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
@@ -185,7 +188,7 @@ TEST_P(Fit, WithAnotherProfileThanTheCores) {
     given.y.pulses_per_mm *= 2.0;
     given.head_clearance_mm += 1.0;
     open_small();
-    window_->bench().machine.set_profile(given);
+    window_->context().machine.set_profile(given);
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     expect_fit("other_profile");
 }
@@ -215,7 +218,7 @@ TEST_P(Fit, WithOrdersThatWereRefused) {
     open_small();
     window_->emergency_stop();
     ASSERT_TRUE(comes_to(MachineState::alarm));
-    const auto refused = [&, &machine = window_->bench().machine](CommandKind kind) {
+    const auto refused = [&, &machine = window_->context().machine](CommandKind kind) {
         machine.order(kind, session::phrase("Home"));
         return comes_true([&] { return machine.refused_order().has_value(); });
     };

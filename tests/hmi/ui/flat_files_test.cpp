@@ -33,7 +33,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 
 class FlatFiles : public test::WindowRig {
 protected:
@@ -61,8 +61,8 @@ protected:
     std::shared_ptr<const session::MeshScene> settled() {
         EXPECT_TRUE(comes_true([&] {
             const auto scene = shown();
-            const auto wanted = window_->bench().desk.scene();
-            return !window_->bench().desk.sight().is_busy() && scene && wanted &&
+            const auto wanted = window_->context().open_job.scene();
+            return !window_->context().open_job.view().is_busy() && scene && wanted &&
                    scene->vertices == wanted->vertices;
         }));
         return shown();
@@ -71,7 +71,7 @@ protected:
         part<QSpinBox>("layers").setValue(20);
         part<QSpinBox>("points").setValue(20);
         ASSERT_TRUE(click("slice"));
-        ASSERT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(OpenJobState::job)) << all_messages().toStdString();
     }
     void drop(const QString& path) {
         QMimeData data;
@@ -105,7 +105,7 @@ std::vector<Spot> spots_of(const session::MeshScene& scene) {
 TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
     open_window();
     drop(QString::fromStdString(example("flower.svg")));
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     ASSERT_TRUE(shows("41.5 × 41.5 × 20.0")) << facts().toStdString();
     EXPECT_FALSE(part<QComboBox>("up").isVisible());
     EXPECT_FALSE(part<QDoubleSpinBox>("relief_diameter").isVisible());
@@ -116,7 +116,7 @@ TEST_F(FlatFiles, OpenADrawingThatIsDroppedAndMakeItHigher) {
     ASSERT_TRUE(comes_true([&] { return facts().startsWith("20."); })) << facts().toStdString();
     EXPECT_TRUE(facts().endsWith(" × 30.0")) << "scaled, but not in height: " << facts().toStdString();
     ASSERT_NO_FATAL_FAILURE(slice_coarsely());
-    const auto job = window_->bench().desk.job();
+    const auto job = window_->context().open_job.job();
     EXPECT_EQ(job->view.source_name(), "flower.svg");
     EXPECT_EQ(job->view.layer_count(), 20U);
     take_picture("drawing_light");
@@ -152,7 +152,7 @@ TEST_F(FlatFiles, EngraveADrawingOfOpenLinesAsSoonAsItIsOpen) {
                                  "<svg width='60mm' height='20mm' viewBox='0 0 60 20'>"
                                  "<path d='M5 10 Q 15 0 25 10 T 45 10' fill='none' stroke='black'/></svg>");
     drop(path);
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     EXPECT_TRUE(all_messages().contains("waves.svg has no closed outline: its lines are engraved"));
     EXPECT_FALSE(all_messages().contains("longest stroke")) << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return part<QCheckBox>("engrave").isChecked(); }));
@@ -162,7 +162,7 @@ TEST_F(FlatFiles, EngraveADrawingOfOpenLinesAsSoonAsItIsOpen) {
     ASSERT_TRUE(comes_true([&] { return facts().startsWith("30.0 × 30.0 × "); })) << facts().toStdString();
     // The same file again is what the form says of it.
     window_->open(path);
-    ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
+    ASSERT_TRUE(comes_true([&] { return !window_->context().open_job.view().is_busy(); }));
     EXPECT_TRUE(part<QCheckBox>("engrave").isChecked());
     EXPECT_TRUE(facts().startsWith("30.0 × 30.0 × ")) << facts().toStdString();
     take_picture("open_lines_light");
@@ -172,7 +172,7 @@ TEST_F(FlatFiles, EngraveADrawingOfOpenLinesAsSoonAsItIsOpen) {
         EXPECT_TRUE(!field->isVisible() || right <= fields.viewport()->width()) << "cut off: " << right;
     }
     ASSERT_NO_FATAL_FAILURE(slice_coarsely());
-    EXPECT_EQ(window_->bench().desk.job()->view.source_name(), "waves.svg");
+    EXPECT_EQ(window_->context().open_job.job()->view.source_name(), "waves.svg");
     // Another drawing is one to be extruded again.
     window_->open(QString::fromStdString(example("flower.svg")));
     ASSERT_TRUE(shows("41.5 × 41.5 × 20.0")) << facts().toStdString();
@@ -198,7 +198,7 @@ TEST_F(FlatFiles, OfferAnotherCylinderForOpenLinesThatDoNotFit) {
 TEST_F(FlatFiles, WrapAPictureRoundACylinder) {
     open_window();
     window_->open(picture());
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     ASSERT_TRUE(shows("40.0 × 40.0 × 125.7")) << facts().toStdString();
     EXPECT_TRUE(part<QDoubleSpinBox>("relief_diameter").isVisible());
     EXPECT_FALSE(part<QComboBox>("axis_at").isVisible());
@@ -211,11 +211,11 @@ TEST_F(FlatFiles, WrapAPictureRoundACylinder) {
     set("relief_around", 62.83);
     set("relief_black", 4.0);
     button("relief_invert").click();
-    EXPECT_TRUE(window_->bench().desk.sight().is_busy()) << "the second wish waits for the first";
-    ASSERT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
+    EXPECT_TRUE(window_->context().open_job.view().is_busy()) << "the second wish waits for the first";
+    ASSERT_TRUE(comes_true([&] { return !window_->context().open_job.view().is_busy(); }));
     ASSERT_NO_FATAL_FAILURE(slice_coarsely());
     take_picture("picture_light");
-    const auto job = window_->bench().desk.job();
+    const auto job = window_->context().open_job.job();
     // Dark is at the lower half of the picture, which now is the higher surface.
     EXPECT_NEAR(static_cast<double>(job->view.r_left_pulses(1)[5]) / 400.0, 10.0, 0.01);
     EXPECT_NEAR(static_cast<double>(job->view.r_left_pulses(18)[5]) / 400.0, 6.0, 0.01);
@@ -238,7 +238,7 @@ TEST_F(FlatFiles, ShowAPictureOnItsCylinderBeforeAnythingIsSliced) {
     for (int i = 0; i < 40 * 40; ++i) rows += i % 40 < (i < 800 ? 30 : 10) ? "9 " : "0 ";
     open_window();
     window_->open(written("fields.pgm", rows));
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     set("relief_diameter", 20.0);
     set("relief_black", 3.0);
     const auto expect_depths = [](const session::MeshScene& scene, double bright_mm, double dark_mm) {
@@ -261,7 +261,7 @@ TEST_F(FlatFiles, ShowAPictureOnItsCylinderBeforeAnythingIsSliced) {
     ASSERT_TRUE(inverted);
     EXPECT_NE(inverted->vertices, before->vertices);
     expect_depths(*inverted, 7.0, 10.0);
-    EXPECT_FALSE(window_->bench().desk.job()) << "nothing was sliced";
+    EXPECT_FALSE(window_->context().open_job.job()) << "nothing was sliced";
 }
 
 /// From the wave that is drawn below, on the surface that is unrolled from direction 0 on.
@@ -283,7 +283,7 @@ TEST_F(FlatFiles, ShowAGrooveWhereItIsCutBeforeAnythingIsSliced) {
     window_->open(written("waves.svg",
                           "<svg width='60mm' height='20mm' viewBox='0 0 60 20'>"
                           "<path d='M5 10 Q 15 0 25 10 T 45 10' fill='none' stroke='black'/></svg>"));
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return part<QCheckBox>("engrave").isChecked(); }));
     set("engrave_diameter", 30.0);
     set("engrave_depth", 0.6);
@@ -302,13 +302,13 @@ TEST_F(FlatFiles, ShowAGrooveWhereItIsCutBeforeAnythingIsSliced) {
     }
     EXPECT_GT(deep, 100);
     take_picture("groove_unsliced");
-    EXPECT_FALSE(window_->bench().desk.job()) << "nothing was sliced";
+    EXPECT_FALSE(window_->context().open_job.job()) << "nothing was sliced";
 }
 
 TEST_F(FlatFiles, ShowNoBodyThatWasNotAskedFor) {
     open_window();
     window_->open(picture());
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     set("height", 150.0);
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("choose at most 125.66 mm of height"); }))
         << all_messages().toStdString();
@@ -322,8 +322,8 @@ TEST_F(FlatFiles, ShowNoBodyThatWasNotAskedFor) {
 TEST_F(FlatFiles, TakeATableAsAJob) {
     open_window();
     window_->open(written("radii.csv", "y_mm,r_mm\n1,10,11,12,11\n2,9,10,11,10\n"));
-    ASSERT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
-    const auto job = window_->bench().desk.job();
+    ASSERT_TRUE(comes_to(OpenJobState::job)) << all_messages().toStdString();
+    const auto job = window_->context().open_job.job();
     EXPECT_EQ(job->view.layer_count(), 2U);
     EXPECT_EQ(job->view.point_count(), 3U);
     EXPECT_EQ(job->view.source_name(), "radii.csv");
@@ -331,7 +331,7 @@ TEST_F(FlatFiles, TakeATableAsAJob) {
     EXPECT_TRUE(comes_true([&] {
         return all_messages().contains("line 2: 'x' is not a number that a table");
     })) << all_messages().toStdString();
-    EXPECT_EQ(window_->bench().desk.job(), job) << "what is open stays open";
+    EXPECT_EQ(window_->context().open_job.job(), job) << "what is open stays open";
 }
 
 TEST_F(FlatFiles, AreReloadedAsTheFormHasThemWhenTheyWereWrittenAnew) {
@@ -339,7 +339,7 @@ TEST_F(FlatFiles, AreReloadedAsTheFormHasThemWhenTheyWereWrittenAnew) {
     const QString path =
         written("one.svg", "<svg width='9mm' height='9mm'><rect width='5' height='5'/></svg>");
     window_->open(path);
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     set("height", 30.0);
     ASSERT_TRUE(comes_true([&] { return facts().endsWith("× 30.0"); })) << facts().toStdString();
     const QString before = facts();

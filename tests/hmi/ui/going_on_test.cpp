@@ -31,12 +31,12 @@ protected:
     /// Somewhere behind the third layer of a long job.
     void carve_some_layers() {
         ASSERT_NO_FATAL_FAILURE(carve_job(two_process::long_job()));
-        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.value_or(0) >= 3; }));
+        ASSERT_TRUE(comes_true([&] { return machine_view().resumable_layer.value_or(0) >= 3; }));
     }
     void kill_core() {
         core_->send_signal(SIGKILL);
         core_->wait_for_exit();
-        ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+        ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
     }
     /// A window that sees nothing but what a core has left behind.
     void open_on_dead_core() {
@@ -46,16 +46,16 @@ protected:
         ASSERT_NO_FATAL_FAILURE(kill_core());
         window_.reset();
         open_in_front();
-        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.has_value(); }));
+        ASSERT_TRUE(comes_true([&] { return machine_view().resumable_layer.has_value(); }));
     }
     /// The first of forty.
     void carve_of_forty(std::uint32_t layers) {
         publish_job(two_process::lobed_job(40, 40));
         ASSERT_TRUE(click("home"));
         ASSERT_TRUE(comes_to(S::ready));
-        window_->bench().machine.start(0, layers);
+        window_->context().machine.start(0, layers);
         ASSERT_TRUE(comes_true([&] {
-            return sight().state() == S::ready && sight().resumable_layer == layers;
+            return machine_view().state() == S::ready && machine_view().resumable_layer == layers;
         })) << all_messages().toStdString();
         ASSERT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
     }
@@ -81,7 +81,7 @@ protected:
 
 TEST_F(GoingOn, FillsInTheLayerOfAWindowThatWasOpenedOnADeadCore) {
     ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
-    const int next = static_cast<int>(*sight().resumable_layer) + 1;
+    const int next = static_cast<int>(*machine_view().resumable_layer) + 1;
     ASSERT_NO_FATAL_FAILURE(home_on_new_core());
     ASSERT_TRUE(comes_true([&] { return part<QSpinBox>("layer").maximum() == kLayers; }));
     EXPECT_TRUE(
@@ -91,14 +91,15 @@ TEST_F(GoingOn, FillsInTheLayerOfAWindowThatWasOpenedOnADeadCore) {
 
 TEST_F(GoingOn, KnowsTheJobOfACoreThatIsNoMore) {
     ASSERT_NO_FATAL_FAILURE(open_on_dead_core());
-    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.job() != nullptr; }))
+    ASSERT_TRUE(comes_true([&] { return window_->context().open_job.job() != nullptr; }))
         << all_messages().toStdString();
-    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), two_process::kLongLayers);
-    EXPECT_TRUE(comes_true(
-        [&] { return part<QSpinBox>("layer").value() == static_cast<int>(*sight().resumable_layer) + 1; }));
+    EXPECT_EQ(window_->context().open_job.job()->view.layer_count(), two_process::kLongLayers);
+    EXPECT_TRUE(comes_true([&] {
+        return part<QSpinBox>("layer").value() == static_cast<int>(*machine_view().resumable_layer) + 1;
+    }));
     EXPECT_FALSE(button("publish").isEnabled());
     ASSERT_NO_FATAL_FAILURE(home_on_new_core());
-    EXPECT_TRUE(comes_to(session::DeskState::published)) << "it is the job that the new core has taken";
+    EXPECT_TRUE(comes_to(session::OpenJobState::published)) << "it is the job that the new core has taken";
 }
 
 TEST_F(GoingOn, ShowsNoAxisOfADeadCoreAsHomed) {
@@ -139,15 +140,15 @@ TEST_F(GoingOn, NoKeyReachesTheFeedOverride) {
     for (const Qt::Key key :
          {Qt::Key_Right, Qt::Key_Up, Qt::Key_PageUp, Qt::Key_End, Qt::Key_Left, Qt::Key_Home})
         QTest::keyClick(&slider, key);
-    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.is_override_under_way(); }));
+    EXPECT_TRUE(comes_true([&] { return !window_->context().machine.is_override_under_way(); }));
     EXPECT_EQ(slider.value(), 100);
-    EXPECT_EQ(sight().status->override_percent, 100U);
+    EXPECT_EQ(machine_view().status->override_percent, 100U);
     press_key(Qt::Key_Plus, Qt::ControlModifier);  // has keys of its own
-    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 105; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 105; }));
     EXPECT_TRUE(comes_true([&] { return label("reason").contains("Feed override: 105 %"); }))
         << label("reason").toStdString();
     ASSERT_TRUE(click("full"));
-    EXPECT_TRUE(comes_true([&] { return sight().status->override_percent == 100; }));
+    EXPECT_TRUE(comes_true([&] { return machine_view().status->override_percent == 100; }));
 }
 
 TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
@@ -158,7 +159,7 @@ TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
     EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
-    const std::uint32_t next = *sight().resumable_layer;
+    const std::uint32_t next = *machine_view().resumable_layer;
     const QString says = QString{"Continue from layer %1"}.arg(next + 1);
     ASSERT_TRUE(comes_true([&] { return button("start").text() == says; }))
         << button("start").text().toStdString();
@@ -175,15 +176,15 @@ TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
     ASSERT_TRUE(comes_true([&] { return button("start").isEnabled(); }));
     press_key(Qt::Key_Return, Qt::ControlModifier);
     ASSERT_TRUE(comes_to(S::carving)) << all_messages().toStdString();
-    EXPECT_GE(sight().status->layer, next);
+    EXPECT_GE(machine_view().status->layer, next);
     EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
-    const std::uint32_t later = *sight().resumable_layer;
+    const std::uint32_t later = *machine_view().resumable_layer;
     EXPECT_GE(later, next);
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_to(S::carving));
-    EXPECT_GE(sight().status->layer, later);
+    EXPECT_GE(machine_view().status->layer, later);
 }
 
 TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
@@ -192,8 +193,8 @@ TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
     ASSERT_NO_FATAL_FAILURE(carve_some_layers());
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
-    const std::uint32_t carved = *sight().resumable_layer;
-    const std::uint64_t started = sight().status->job_start_tick;
+    const std::uint32_t carved = *machine_view().resumable_layer;
+    const std::uint64_t started = machine_view().status->job_start_tick;
     QString question;
     QSize picture;
     const auto answers = [&](const char* name) {
@@ -212,14 +213,14 @@ TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
     EXPECT_FALSE(picture.isEmpty());
     part<QSpinBox>("layer").setValue(1);  // what comes to the same
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("from_layer")); }, {answers("anew_cancel")}));
-    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
-    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+    EXPECT_TRUE(comes_true([&] { return !window_->context().machine.has_orders(); }));
+    EXPECT_EQ(machine_view().status->job_start_tick, started) << "nothing was started";
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start_anew")); }, {answers("anew_go")}));
     ASSERT_TRUE(comes_to(S::carving));
-    EXPECT_NE(sight().status->job_start_tick, started);
+    EXPECT_NE(machine_view().status->job_start_tick, started);
     ASSERT_TRUE(click("hold"));  // however busy the computer is, it does not pass the layers of before
     EXPECT_TRUE(comes_true([&] {
-        return sight().earlier_layer == carved || sight().resumable_layer.value_or(0) >= carved;
+        return machine_view().earlier_layer == carved || machine_view().resumable_layer.value_or(0) >= carved;
     })) << carved;
 }
 
@@ -234,10 +235,10 @@ TEST_F(GoingOn, SaysNothingOfAnotherJobThatIsOpenWithoutACore) {
         Snapshot snapshot;
         snapshot.job_blob = job_blob_from_table(table);
         ASSERT_TRUE(save_snapshot(snapshot, file(name)));
-        const std::uint64_t edition = window_->bench().desk.edition();
+        const std::uint64_t edition = window_->context().open_job.edition();
         window_->open(QString::fromStdString(file(name)));
-        ASSERT_TRUE(comes_true([&] { return window_->bench().desk.edition() != edition; }));
-        ASSERT_TRUE(comes_to(session::DeskState::job));
+        ASSERT_TRUE(comes_true([&] { return window_->context().open_job.edition() != edition; }));
+        ASSERT_TRUE(comes_to(session::OpenJobState::job));
     };
     opens(two_process::lobed_job(40, 44), "other.job");  // as many layers
     EXPECT_TRUE(comes_true([&] { return button("start").text() == "Start"; }))
@@ -260,8 +261,9 @@ TEST_F(GoingOn, StartsADryRunAnewThatWasChosenBeforeItWasAsked) {
                              button_of(dialog, "anew_go").click();
                          }}));
     EXPECT_TRUE(question.startsWith("Dry run from layer 1: ")) << question.toStdString();
-    ASSERT_TRUE(comes_true([&] { return sight().status->is_dry == 1; })) << all_messages().toStdString();
-    EXPECT_EQ(sight().resumable_layer, 4U) << "nothing is cut";
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->is_dry == 1; }))
+        << all_messages().toStdString();
+    EXPECT_EQ(machine_view().resumable_layer, 4U) << "nothing is cut";
 }
 
 TEST_F(GoingOn, AsksBeforeItBeginsAnewThoughNoLayerIsFinished) {
@@ -271,7 +273,7 @@ TEST_F(GoingOn, AsksBeforeItBeginsAnewThoughNoLayerIsFinished) {
     leave_checkpoint(0, 4);
     ASSERT_TRUE(comes_true([&] { return label("unfinished_title").startsWith("Begun anew"); }))
         << label("unfinished_title").toStdString();
-    const std::uint64_t started = sight().status->job_start_tick;
+    const std::uint64_t started = machine_view().status->job_start_tick;
     part<QSpinBox>("layer").setValue(1);
     for (const char* name : {"start_anew", "from_layer"}) {
         QString question;
@@ -282,15 +284,15 @@ TEST_F(GoingOn, AsksBeforeItBeginsAnewThoughNoLayerIsFinished) {
             << name;
         EXPECT_TRUE(question.startsWith("The run before came to layer 4 of 40: ")) << question.toStdString();
     }
-    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
-    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+    EXPECT_TRUE(comes_true([&] { return !window_->context().machine.has_orders(); }));
+    EXPECT_EQ(machine_view().status->job_start_tick, started) << "nothing was started";
 }
 
 TEST_F(GoingOn, AQuestionIsClosedOnceItIsAboutAnotherPieceOrTheMachineLeavesRest) {
     start_core();
     open_window();
     ASSERT_NO_FATAL_FAILURE(carve_of_forty(4));
-    const std::uint64_t started = sight().status->job_start_tick;
+    const std::uint64_t started = machine_view().status->job_start_tick;
     const auto is_closed_by = [&](const char* name, const std::function<void()>& change) {
         bool is_closed = false;
         EXPECT_TRUE(answered([&] { EXPECT_TRUE(click(name)); }, {[&](QDialog& dialog) {
@@ -302,15 +304,15 @@ TEST_F(GoingOn, AQuestionIsClosedOnceItIsAboutAnotherPieceOrTheMachineLeavesRest
     for (const char* name : {"start_anew", "from_layer"}) {
         part<QSpinBox>("layer").setValue(3);
         leave_checkpoint(4, 0);
-        ASSERT_TRUE(comes_true([&] { return sight().resumable_layer == 4; }));
+        ASSERT_TRUE(comes_true([&] { return machine_view().resumable_layer == 4; }));
         EXPECT_TRUE(is_closed_by(name, [&] { leave_checkpoint(7, 0); })) << name;
         ASSERT_TRUE(comes_true([&] { return button(name).isEnabled(); }));
-        EXPECT_TRUE(is_closed_by(name, [&] { window_->bench().desk.publish(); })) << name;
+        EXPECT_TRUE(is_closed_by(name, [&] { window_->context().open_job.publish(); })) << name;
         ASSERT_TRUE(comes_true([&] { return button(name).isEnabled(); })) << name;
     }
     part<QSpinBox>("layer").setValue(3);
     EXPECT_TRUE(is_closed_by("from_layer", [&] { request_emergency_stop(*segment_); }));
-    EXPECT_EQ(sight().status->job_start_tick, started) << "nothing was started";
+    EXPECT_EQ(machine_view().status->job_start_tick, started) << "nothing was started";
 }
 
 TEST_F(GoingOn, TheNextPieceThatComesAsFarIsNotDismissed) {
@@ -320,9 +322,10 @@ TEST_F(GoingOn, TheNextPieceThatComesAsFarIsNotDismissed) {
     ASSERT_TRUE(click("unfinished_dismiss"));
     EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
     leave_checkpoint(40, 0);  // it was carved to its end
-    ASSERT_TRUE(comes_true([&] { return !sight().resumable_layer; }));
-    window_->bench().machine.start(0, 4);
-    ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && sight().resumable_layer == 4; }));
+    ASSERT_TRUE(comes_true([&] { return !machine_view().resumable_layer; }));
+    window_->context().machine.start(0, 4);
+    ASSERT_TRUE(comes_true(
+        [&] { return machine_view().state() == S::ready && machine_view().resumable_layer == 4; }));
     EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));
 }
 
@@ -333,9 +336,9 @@ TEST_F(GoingOn, TellsWhereTheRunBeforeASlipCameTo) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     const auto carve = [&](std::uint32_t layers) {
-        window_->bench().machine.start(0, layers);
+        window_->context().machine.start(0, layers);
         ASSERT_TRUE(comes_true([&] {
-            return sight().state() == S::ready && sight().resumable_layer == layers;
+            return machine_view().state() == S::ready && machine_view().resumable_layer == layers;
         })) << all_messages().toStdString();
     };
     carve(9);
@@ -367,8 +370,8 @@ TEST_F(GoingOn, IsDismissedUntilMoreIsCarved) {
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_FALSE(part<QWidget>("unfinished").isVisible());
     ASSERT_TRUE(click("start"));
-    const std::uint32_t before = *sight().resumable_layer;
-    ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.value_or(0) > before; }));
+    const std::uint32_t before = *machine_view().resumable_layer;
+    ASSERT_TRUE(comes_true([&] { return machine_view().resumable_layer.value_or(0) > before; }));
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_TRUE(comes_true([&] { return part<QWidget>("unfinished").isVisible(); }));

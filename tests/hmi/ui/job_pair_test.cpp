@@ -12,7 +12,7 @@
 namespace psicarve::ui {
 namespace {
 
-using DS = session::DeskState;
+using DS = session::OpenJobState;
 using S = MachineState;
 
 class JobPair : public test::WindowRig {
@@ -36,12 +36,12 @@ protected:
         snapshot.job_blob = job_blob_from_table(table);
         ASSERT_TRUE(save_snapshot(snapshot, file("other.job")));
         session::MessageLog log;
-        session::JobDesk other{segment_name_, {}, log};
+        session::OpenJob other{segment_name_, {}, log};
         other.open(file("other.job"));
         const auto comes = [&](DS state) {
             return comes_true([&] {
-                other.poll(sight());
-                return other.sight().state == state;
+                other.poll(machine_view());
+                return other.view().state == state;
             });
         };
         ASSERT_TRUE(comes(DS::job));
@@ -141,8 +141,8 @@ TEST_F(JobPair, TakesOverTheJobThatAnotherProgramHasPublished) {
     take_picture("job_pair_published_elsewhere_dark");
     ASSERT_TRUE(click("take_over"));
     ASSERT_TRUE(comes_to(DS::published));
-    EXPECT_EQ(window_->bench().desk.job(), window_->bench().desk.core_job());
-    EXPECT_EQ(window_->bench().desk.mesh(), nullptr);
+    EXPECT_EQ(window_->context().open_job.job(), window_->context().open_job.core_job());
+    EXPECT_EQ(window_->context().open_job.mesh(), nullptr);
     ASSERT_TRUE(comes_true([&] { return text("job_counts") == "7 × 30"; }));
     EXPECT_EQ(text("desk_job_note"), "the same job");
     EXPECT_TRUE(all_messages().contains("Taken over from the machine: lobed"));

@@ -22,7 +22,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 using S = MachineState;
 
 class Keys : public replay::test::RecordedOn<test::HandsRig> {
@@ -41,7 +41,7 @@ protected:
     }
     void open_replay() {
         window_->open(QString::fromStdString(trace()));
-        auto& desk = window_->bench().replay;
+        auto& desk = window_->context().replay;
         ASSERT_TRUE(comes_true([&] { return desk.is_open() && desk.is_settled(); }));
         desk.add_job(job());
         ASSERT_TRUE(comes_true([&] { return desk.carving() != nullptr && desk.is_settled(); }))
@@ -60,7 +60,7 @@ TEST_F(Keys, HomeStartHoldResumeAndChangeTheFeed) {
     press_key(Qt::Key_Return, Qt::ControlModifier);
     ASSERT_TRUE(comes_to(S::carving));
     const auto feed_is = [&](std::uint32_t percent) {
-        return comes_true([&] { return sight().status->override_percent == percent; });
+        return comes_true([&] { return machine_view().status->override_percent == percent; });
     };
     press_key(Qt::Key_Minus, Qt::ControlModifier);
     EXPECT_TRUE(feed_is(95));
@@ -103,7 +103,7 @@ TEST_F(Keys, GoToPagesLayerNumberAndPanes) {
         snapshot.job_blob = job_blob_from_table(two_process::lobed_job(3, 40));
         ASSERT_TRUE(save_snapshot(snapshot, file("short.job")));
         window_->open(QString::fromStdString(file("short.job")));
-        ASSERT_TRUE(comes_to(DeskState::job));
+        ASSERT_TRUE(comes_to(OpenJobState::job));
     });
     press_key(Qt::Key_L, Qt::ControlModifier);
     EXPECT_EQ(page(), 1);
@@ -154,11 +154,11 @@ TEST_F(Keys, F5SlicesAndF9ArmsAndOpenAndCloseAsElsewhere) {
     start_core();
     open_in_front();
     EXPECT_TRUE(named_file([&] { press_key(Qt::Key_O, Qt::ControlModifier); }, example("small.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     part<QSpinBox>("layers").setValue(20);
     ASSERT_TRUE(comes_true([&] { return button("slice").isEnabled(); }));
     press_key(Qt::Key_F5);
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     for (const char* text : {"Disarm keyboard jog", "Arm keyboard jog", "Disarm keyboard jog"}) {
@@ -174,8 +174,8 @@ TEST_F(Keys, OfARecordingPlayItStepItAndGoFromEntryToEntry) {
     record();
     open_in_front();
     ASSERT_NO_FATAL_FAILURE(open_replay());
-    replay::ReplayClock& clock = window_->bench().replay.clock();
-    const auto& entries = window_->bench().replay.facts().entries;
+    replay::ReplayClock& clock = window_->context().replay.clock();
+    const auto& entries = window_->context().replay.facts().entries;
     ASSERT_GE(entries.size(), 2U);
     clock.seek(0);
     press_key(Qt::Key_N);
@@ -194,16 +194,16 @@ TEST_F(Keys, OfARecordingPlayItStepItAndGoFromEntryToEntry) {
     EXPECT_TRUE(clock.is_playing());
     press_key(Qt::Key_K);
     EXPECT_FALSE(clock.is_playing());
-    const auto layer = [&] { return window_->bench().replay.shown().place->layer; };
+    const auto layer = [&] { return window_->context().replay.shown().place->layer; };
     const auto settles_at = [&](std::uint32_t wanted) {
         return comes_true([&] {
-            return window_->bench().replay.is_settled() && window_->bench().replay.shown().place &&
+            return window_->context().replay.is_settled() && window_->context().replay.shown().place &&
                    layer() == wanted;
         });
     };
     clock.seek(clock.end_ns() / 20 * 17);
     ASSERT_TRUE(comes_true(
-        [&] { return window_->bench().replay.is_settled() && window_->bench().replay.shown().place; }));
+        [&] { return window_->context().replay.is_settled() && window_->context().replay.shown().place; }));
     const std::uint32_t from = layer();
     ASSERT_GT(from, 1U);
     press_key(Qt::Key_Comma);

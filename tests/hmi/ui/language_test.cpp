@@ -137,7 +137,7 @@ protected:
 // Every state with its second line, in the strip's usual and its smallest room.
 TEST_P(Languages, SayEveryStateInFull) {
     constexpr std::uint32_t kMany = 4000;
-    std::vector<session::MachineSight> all{session::test::limit_alarm(Axis::psi), session::MachineSight{}};
+    std::vector<session::MachineView> all{session::test::limit_alarm(Axis::psi), session::MachineView{}};
     for (std::uint32_t k = 0; k < kMachineStateCount; ++k) {
         for (const std::uint8_t is_dry : {std::uint8_t{0}, std::uint8_t{1}}) {
             all.push_back(session::test::machine_in(static_cast<MachineState>(k)));
@@ -153,8 +153,8 @@ TEST_P(Languages, SayEveryStateInFull) {
     sut.setStyleSheet(style_sheet(tokens_of(Theme::light)));
     for (const Room room : {Room::usual, Room::small}) {
         sut.set_room(room);
-        for (const session::MachineSight& sight : all) {
-            sut.show_state(session::state_text(sight, kMany), Glyph::info, tokens_of(Theme::light));
+        for (const session::MachineView& machine_view : all) {
+            sut.show_state(session::state_text(machine_view, kMany), Glyph::info, tokens_of(Theme::light));
             EXPECT_FALSE(sut.is_cut_off()) << sut.accessibleName().toStdString() << ", " << sut.width();
         }
     }
@@ -212,7 +212,7 @@ TEST_P(Languages, TellTheTimeLeftOfALongJobOnTheSmallestScreen) {
 TEST_P(Languages, TellWhatTheToolWillLeave) {
     open_window();
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(session::OpenJobState::model)) << all_messages().toStdString();
     part<QComboBox>("tool").setCurrentIndex(4);
     ASSERT_TRUE(click("view_piece"));
     const auto& facts = part<QLabel>("piece_facts");
@@ -265,9 +265,9 @@ TEST_P(Languages, FitTheSmallestScreen) {
     open_window();
     window_->resize(1280, 720);
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     EXPECT_LE(window_->minimumSizeHint().width(), 1280);
     EXPECT_LE(window_->minimumSizeHint().height(), 720);
     look_at_all_pages(code);
@@ -285,7 +285,7 @@ TEST_P(Languages, FitTheSmallestScreen) {
     take_picture(code + "_passes");
     // A model with longer figures.
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.path().ends_with("figurine.stl"); }));
+    ASSERT_TRUE(comes_true([&] { return window_->context().open_job.path().ends_with("figurine.stl"); }));
     look_at_all_pages(code + "_owl");
 }
 
@@ -296,9 +296,9 @@ TEST_P(Languages, HaveATextForAllThatTheWindowAsksFor) {
     start_core();
     open_window();
     window_->open(QString::fromStdString(example("small.stl")));
-    EXPECT_TRUE(comes_to(session::DeskState::model));
+    EXPECT_TRUE(comes_to(session::OpenJobState::model));
     EXPECT_TRUE(click("slice"));
-    EXPECT_TRUE(comes_to(session::DeskState::job));
+    EXPECT_TRUE(comes_to(session::OpenJobState::job));
     EXPECT_TRUE(click("publish"));
     EXPECT_TRUE(click("home"));
     EXPECT_TRUE(comes_to(MachineState::ready));

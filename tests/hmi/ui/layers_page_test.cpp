@@ -41,9 +41,9 @@ TEST_F(Layers, TellNoLeastTimeOnceTheCoreHasPlannedTheJob) {
     ASSERT_NO_FATAL_FAILURE(publish_job(table));
     ASSERT_NO_FATAL_FAILURE(look_at_layers());
     layer().setValue(static_cast<int>(table.layer_count));
-    ASSERT_TRUE(comes_true([&] { return session::planned_seconds(sight()).has_value(); }));
+    ASSERT_TRUE(comes_true([&] { return session::planned_seconds(machine_view()).has_value(); }));
     window_->refresh();
-    EXPECT_EQ(text("layer_until"), "about " + session::clock_text(*session::planned_seconds(sight())));
+    EXPECT_EQ(text("layer_until"), "about " + session::clock_text(*session::planned_seconds(machine_view())));
 }
 
 TEST_F(Layers, TellAPointsRadiiAsTheJobHasThem) {
@@ -76,10 +76,10 @@ TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
     const QByteArray path = qgetenv("PATH");
     const auto restored = qScopeGuard([&] { qputenv("PATH", path); });
     const auto open = [&] {
-        const std::shared_ptr<const cam::PreparedJob> before = window_->bench().desk.job();
+        const std::shared_ptr<const cam::PreparedJob> before = window_->context().open_job.job();
         window_->open(QString::fromStdString(file("run.job")));
         ASSERT_TRUE(comes_true([&] {
-            const auto job = window_->bench().desk.job();
+            const auto job = window_->context().open_job.job();
             return job && job != before;
         }));
         ASSERT_NO_FATAL_FAILURE(look_at_layers());
@@ -98,7 +98,9 @@ TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
 
     qputenv("PATH", QByteArray::fromStdString(in_build("bin:")) + path);
     ASSERT_NO_FATAL_FAILURE(open());
-    const auto planned = [&] { return window_->bench().estimate.planned(window_->bench().desk.job()); };
+    const auto planned = [&] {
+        return window_->context().estimate.planned(window_->context().open_job.job());
+    };
     ASSERT_TRUE(comes_true([&] { return planned() && !text("layer_time").starts_with("at least "); }))
         << text("layer_time") << all_messages().toStdString();
     EXPECT_EQ(text("layer_time"), session::clock_text(planned()->layer_seconds[2]));
@@ -110,7 +112,7 @@ TEST_F(Layers, FollowTheMachineUntilAnotherPlaceIsChosen) {
     open_window();
     ASSERT_NO_FATAL_FAILURE(carve_job(two_process::long_job()));
     ASSERT_NO_FATAL_FAILURE(look_at_layers());
-    const auto machine_layer = [&] { return static_cast<int>(sight().status->layer) + 1; };
+    const auto machine_layer = [&] { return static_cast<int>(machine_view().status->layer) + 1; };
     ASSERT_TRUE(comes_true([&] { return machine_layer() > 1 && layer().value() == machine_layer(); }));
     EXPECT_TRUE(follow().isEnabled());
     EXPECT_TRUE(follow().isChecked());

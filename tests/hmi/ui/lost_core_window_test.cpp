@@ -35,7 +35,7 @@ protected:
     QString steps() { return text_of("alarm_steps").replace(QChar{0xA0}, ' '); }
     bool is_banner_there() { return part<QWidget>("banner").isVisible(); }
     session::Severity severity_of(const char* what) {
-        for (const session::Message& message : window_->bench().log.messages()) {
+        for (const session::Message& message : window_->context().log.messages()) {
             if (words(message.what).contains(what)) return message.severity;
         }
         ADD_FAILURE() << "nobody said " << what << all_messages().toStdString();
@@ -57,7 +57,7 @@ protected:
     /// Somewhere behind the first layer.
     void carve_a_while() {
         carve_job(two_process::long_job());
-        ASSERT_TRUE(comes_true([&] { return sight().status->layer > 1; }));
+        ASSERT_TRUE(comes_true([&] { return machine_view().status->layer > 1; }));
     }
     void kill_core() {
         core_->send_signal(SIGKILL);
@@ -75,22 +75,22 @@ TEST_F(LoudWindow, SaysInRedThatTheCoreWasLostAtWorkAndWhereToGoOn) {
     carve_a_while();
     kill_core();
     ASSERT_TRUE(comes_true([&] { return is_banner_there(); }));
-    const QString layer = QString::number(sight().status->layer + 1);
+    const QString layer = QString::number(machine_view().status->layer + 1);
     EXPECT_TRUE(text_of("alarm_title").startsWith("The core has ended in layer " + layer + ", point "))
         << text_of("alarm_title").toStdString();
     EXPECT_TRUE(text_of("alarm_detail").contains("The heads may stand in the piece."));
     EXPECT_TRUE(kLastKnown.match(text_of("alarm_detail")).hasMatch())
         << text_of("alarm_detail").toStdString();
     EXPECT_TRUE(steps().contains("wired emergency stop"));
-    ASSERT_TRUE(sight().resumable_layer);
-    EXPECT_TRUE(steps().contains(QString{"Continue from layer %1"}.arg(*sight().resumable_layer + 1)))
+    ASSERT_TRUE(machine_view().resumable_layer);
+    EXPECT_TRUE(steps().contains(QString{"Continue from layer %1"}.arg(*machine_view().resumable_layer + 1)))
         << steps().toStdString();
     EXPECT_EQ(severity_of("The core has ended in layer"), session::Severity::alarm);
     EXPECT_TRUE(text_of("time_left").startsWith("carving, ")) << text_of("time_left").toStdString();
     EXPECT_TRUE(kLastKnown.match(text_of("time_left")).hasMatch());
     EXPECT_FALSE(button("reset_alarm").isVisible()) << "there is nobody to reset it";
     EXPECT_FALSE(button("acknowledge").isVisible()) << "it is so until there is a core";
-    EXPECT_EQ(part<QSpinBox>("layer").value(), static_cast<int>(*sight().resumable_layer) + 1);
+    EXPECT_EQ(part<QSpinBox>("layer").value(), static_cast<int>(*machine_view().resumable_layer) + 1);
     take_picture("core_lost_at_work_light");
     window_->set_theme(ThemeChoice::dark);
     take_picture("core_lost_at_work_dark");
@@ -135,13 +135,13 @@ TEST_F(LoudWindow, TellsWhenWhatIsShownOfACoreThatDiedOnHoldOrInAlarmWasSo) {
     ASSERT_TRUE(click("hold"));
     ASSERT_TRUE(comes_to(S::held));
     kill_core();
-    ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
     ASSERT_TRUE(comes_true([&] { return text_of("time_left").startsWith("held, last known "); }));
     EXPECT_TRUE(kLastKnown.match(text_of("time_left")).hasMatch()) << text_of("time_left").toStdString();
     start_core();
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
-    ASSERT_TRUE(window_->bench().machine.emergency_stop());
+    ASSERT_TRUE(window_->context().machine.emergency_stop());
     ASSERT_TRUE(comes_to(S::alarm));
     kill_core();
     ASSERT_TRUE(comes_true([&] { return text_of("time_left").startsWith("alarm, last known "); }));
@@ -165,18 +165,18 @@ TEST_F(LoudWindow, KeepsAnEmergencyStopThatNobodyHeardInSightUntilItIsRead) {
     EXPECT_EQ(severity_of("Nobody heard the emergency stop"), session::Severity::alarm);
     take_picture("emergency_stop_unheard_light");
     start_core();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     EXPECT_TRUE(is_banner_there()) << "it was not heard all the same";
     ASSERT_TRUE(click("acknowledge"));
-    ASSERT_TRUE(comes_true([&] { return !is_banner_there() || sight().state() == S::alarm; }));
-    EXPECT_FALSE(sight().unheard_stop);
+    ASSERT_TRUE(comes_true([&] { return !is_banner_there() || machine_view().state() == S::alarm; }));
+    EXPECT_FALSE(machine_view().unheard_stop);
 }
 
 TEST_F(LoudWindow, AHeardEmergencyStopTakesAnUnheardOneAway) {
     open_window();
     press(*window_, Qt::Key_F1);
     start_core();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     press(*window_, Qt::Key_F1);
     ASSERT_TRUE(comes_to(S::alarm));
     ASSERT_TRUE(comes_true([&] { return text_of("alarm_title") == "Emergency stop"; }));
@@ -190,8 +190,9 @@ TEST_F(LoudWindow, AnAlarmAfterTheJobLeavesTheJobDone) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(click("start"));  // it may be done between two looks
-    ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && sight().status->job_end_tick != 0; }));
-    ASSERT_EQ(sight().status->points_done, sight().status->points_total);
+    ASSERT_TRUE(comes_true(
+        [&] { return machine_view().state() == S::ready && machine_view().status->job_end_tick != 0; }));
+    ASSERT_EQ(machine_view().status->points_done, machine_view().status->points_total);
     press(*window_, Qt::Key_F1);
     ASSERT_TRUE(comes_to(S::alarm));
     ASSERT_TRUE(comes_true([&] { return text_of("time_left") == "done"; }))
@@ -212,7 +213,7 @@ TEST_F(LoudWindow, AStoppedRunSaysItsLayerUntilSomethingElseIsOpened) {
     ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(comes_true([&] { return text_of("time_left").startsWith("stopped in layer "); }))
         << text_of("time_left").toStdString();
-    const std::uint64_t layer = sight().status->points_done / two_process::long_job().point_count + 1;
+    const std::uint64_t layer = machine_view().status->points_done / two_process::long_job().point_count + 1;
     EXPECT_EQ(text_of("time_left"), QString{"stopped in layer %1"}.arg(layer));
     EXPECT_EQ(part<QWidget>("progress").property("tone").toString(), "warn");
     take_picture("stopped_run_light");
@@ -230,11 +231,11 @@ TEST_F(LoudWindow, TheCloseQuestionGoesWhenTheMachineComesToRest) {
     in_the_close_question([&](QMessageBox& box) {
         for (QAbstractButton* choice : box.buttons())
             was_hold_offered = was_hold_offered || (choice->text() == "Hold" && choice->isEnabled());
-        if (was_hold_offered) window_->bench().machine.stop();
+        if (was_hold_offered) window_->context().machine.stop();
     });
     EXPECT_FALSE(window_->close());  // it runs until the question is gone
     EXPECT_TRUE(was_hold_offered);
-    EXPECT_EQ(sight().state(), S::ready);
+    EXPECT_EQ(machine_view().state(), S::ready);
     EXPECT_TRUE(window_->isVisible());
     EXPECT_EQ(severity_of("The machine is at work no more"), session::Severity::info);
     EXPECT_TRUE(window_->close()) << "nothing is left to be asked";
@@ -251,7 +252,7 @@ TEST_F(LoudWindow, EscTakesTheCloseQuestionBackAndTheNextOneHolds) {
     EXPECT_FALSE(window_->close());
     EXPECT_TRUE(is_pressed);
     EXPECT_FALSE(was_said("Hold asked for")) << "the job goes on";
-    EXPECT_EQ(sight().state(), S::carving);
+    EXPECT_EQ(machine_view().state(), S::carving);
     press(*window_, Qt::Key_Escape);
     EXPECT_TRUE(comes_to(S::held));
     EXPECT_FALSE(was_said("Stop asked for"));
@@ -283,7 +284,7 @@ TEST_F(LoudWindow, HasTheFilesNameInItsTitleAndAReasonBesidePublish) {
         << window_->windowTitle().toStdString();
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(session::DeskState::published));
+    ASSERT_TRUE(comes_to(session::OpenJobState::published));
     ASSERT_TRUE(comes_true([&] { return !part<QLabel>("publish_reason").isVisible(); }))
         << "its state says it";
 }

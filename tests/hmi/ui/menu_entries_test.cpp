@@ -24,7 +24,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 using S = MachineState;
 
 class MenuEntries : public replay::test::RecordedOn<test::HandsRig> {
@@ -38,7 +38,7 @@ protected:
         snapshot.job_blob = job_blob_from_table(table);
         ASSERT_TRUE(save_snapshot(snapshot, file("short.job")));
         window_->open(QString::fromStdString(file("short.job")));
-        ASSERT_TRUE(comes_to(DeskState::job));
+        ASSERT_TRUE(comes_to(OpenJobState::job));
     }
     bool is_saved(const std::string& name) {
         return comes_true(
@@ -69,15 +69,16 @@ TEST_F(MenuEntries, OfFileOpenAndSaveWhatCanBeReadAgain) {
     for (const char* kept : {"kept.psi", "kept.csv"}) {
         EXPECT_TRUE(named_file([&] { EXPECT_TRUE(choose_entry("open_action")); }, file(kept)));
         ASSERT_TRUE(comes_true([&] {
-            return window_->bench().desk.path() == file(kept) && window_->bench().desk.job() != nullptr &&
-                   !window_->bench().desk.sight().is_busy();
+            return window_->context().open_job.path() == file(kept) &&
+                   window_->context().open_job.job() != nullptr &&
+                   !window_->context().open_job.view().is_busy();
         })) << all_messages().toStdString();
         EXPECT_EQ(job_blob_from_table(table).size(), job->job_blob.size());
-        EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), 3U) << kept;
+        EXPECT_EQ(window_->context().open_job.job()->view.layer_count(), 3U) << kept;
     }
     Q_EMIT part<QMenu>("recent_menu").aboutToShow();
     EXPECT_TRUE(choose_entry("recent_file"));
-    EXPECT_TRUE(comes_true([&] { return !window_->bench().desk.sight().is_busy(); }));
+    EXPECT_TRUE(comes_true([&] { return !window_->context().open_job.view().is_busy(); }));
     EXPECT_TRUE(choose_entry("close_action"));
     EXPECT_FALSE(window_->isVisible());
 }
@@ -92,9 +93,9 @@ TEST_F(MenuEntries, OfMachineGoThereTurnTheSpindleAndShowThePorts) {
     ASSERT_TRUE(click("move_close"));
     EXPECT_FALSE(part<QDialog>("move_dialog").isVisible());
     EXPECT_TRUE(choose_entry("spindle_action"));
-    EXPECT_TRUE(comes_true([&] { return sight().is_active(Signal::spindle); }));
+    EXPECT_TRUE(comes_true([&] { return machine_view().is_active(Signal::spindle); }));
     EXPECT_TRUE(choose_entry("spindle_action"));
-    EXPECT_TRUE(comes_true([&] { return !sight().is_active(Signal::spindle); }));
+    EXPECT_TRUE(comes_true([&] { return !machine_view().is_active(Signal::spindle); }));
     EXPECT_TRUE(choose_entry("wiring_action"));
     EXPECT_TRUE(shows("ports_page"));
 }
@@ -107,7 +108,7 @@ TEST_F(MenuEntries, OfViewChooseThemeLanguageAndPanels) {
     for (const auto& [name, choice] : themes) {
         const QString before = window_->styleSheet();
         EXPECT_TRUE(choose_entry(name));
-        EXPECT_EQ(WindowSettings{*window_->bench().settings}.theme(), choice);
+        EXPECT_EQ(WindowSettings{*window_->context().settings}.theme(), choice);
         EXPECT_EQ(window_->styleSheet() == before, choice == ThemeChoice::system) << name;
     }
     const std::pair<const char*, std::optional<Language>> languages[] = {
@@ -117,7 +118,7 @@ TEST_F(MenuEntries, OfViewChooseThemeLanguageAndPanels) {
         {"language_system", std::nullopt}};
     for (const auto& [name, choice] : languages) {
         EXPECT_TRUE(choose_entry(name));
-        EXPECT_EQ(WindowSettings{*window_->bench().settings}.language(), choice) << name;
+        EXPECT_EQ(WindowSettings{*window_->context().settings}.language(), choice) << name;
     }
     EXPECT_EQ(all_messages().count("The language changes when"), 4);
     const std::pair<const char*, const char*> panels[] = {
@@ -142,7 +143,7 @@ TEST_F(MenuEntries, OfToolsVerifyCompareCalibrateAndCheck) {
     ASSERT_TRUE(click("verdict_close"));
     EXPECT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("verdict") == nullptr; }));
     window_->open(QString::fromStdString(job()));
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(choose_entry("verify_action")); }, trace()));
     ASSERT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("verdict") != nullptr; }))
         << all_messages().toStdString();
@@ -183,9 +184,9 @@ TEST_F(MenuEntries, LeaveReplayLeavesIt) {
     open_in_front();
     EXPECT_FALSE(entry("leave_replay").isEnabled());
     window_->open(QString::fromStdString(snapshot()));
-    ASSERT_TRUE(comes_true([&] { return window_->bench().replay.is_open(); }));
+    ASSERT_TRUE(comes_true([&] { return window_->context().replay.is_open(); }));
     EXPECT_TRUE(choose_entry("leave_replay"));
-    EXPECT_FALSE(window_->bench().replay.is_open());
+    EXPECT_FALSE(window_->context().replay.is_open());
     EXPECT_TRUE(comes_true([&] { return !part<QWidget>("replay_bar").isVisible(); }));
 }
 

@@ -54,7 +54,7 @@ protected:
 
 TEST_F(MessagesPageOf, AreChosenByTheirKind) {
     open_window();
-    session::MessageLog& log = window_->bench().log;
+    session::MessageLog& log = window_->context().log;
     log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
     log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
     log.add(session::Severity::alarm, session::phrase("Emergency stop"));
@@ -84,7 +84,7 @@ TEST_F(MessagesPageOf, TellTheSelectedOneInFullUntilItIsFilteredAway) {
     EXPECT_TRUE(text_of("message_cause").contains("spindle")) << text_of("message_cause").toStdString();
     EXPECT_TRUE(text_of("message_steps").startsWith("1. Reset alarm"))
         << text_of("message_steps").toStdString();
-    window_->bench().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    window_->context().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
     window_->refresh();
     EXPECT_EQ(text_of("message_title"), "Emergency stop") << "a newer one stands above it";
     take_picture("message_pane_light");
@@ -102,7 +102,7 @@ TEST_F(MessagesPageOf, LeadFromAnAlarmToItsMomentInTheFlightRecorder) {
     ASSERT_NO_FATAL_FAILURE(have_an_alarm_behind());
     ASSERT_TRUE(select("Emergency stop"));
     ASSERT_TRUE(click("message_recorder"));
-    replay::ReplayDesk& desk = window_->bench().replay;
+    replay::ReplaySession& desk = window_->context().replay;
     ASSERT_TRUE(comes_true([&] { return desk.is_open(); })) << all_messages().toStdString();
     const auto& entries = desk.facts().entries;
     const int at = replay::entry_at(entries, desk.clock().now_ns());
@@ -151,9 +151,9 @@ TEST_F(MessagesPageOf, SayThatTheFlightRecorderOfAnotherCoreIsGone) {
     ASSERT_TRUE(select("Emergency stop"));
     core_->send_signal(SIGKILL);
     core_->wait_for_exit();
-    const auto before = sight().core_pid;
+    const auto before = machine_view().core_pid;
     start_core();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().core_pid != before; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard() && machine_view().core_pid != before; }));
     EXPECT_FALSE(button("message_recorder").isEnabled());
     EXPECT_TRUE(button("message_recorder").toolTip().contains("core is gone"));
 }

@@ -239,26 +239,27 @@ TEST_F(ModelFormOf, EngravesTheLinesOfADrawing) {
 TEST_F(ModelFormOf, SlicesEngravedLines) {
     open_window();
     window_->open(QString::fromStdString(example("flower.svg")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     part<QSpinBox>("layers").setValue(40);
     part<QSpinBox>("points").setValue(200);
     part<QComboBox>("tool").setCurrentIndex(2);
     part<QDoubleSpinBox>("tool_diameter").setValue(1.0);
     button("engrave").click();
     ASSERT_TRUE(comes_true([&] {
-        return window_->bench().desk.mesh() != nullptr && window_->bench().desk.mesh()->grooves != nullptr;
+        return window_->context().open_job.mesh() != nullptr &&
+               window_->context().open_job.mesh()->grooves != nullptr;
     })) << all_messages().toStdString();
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job)) << all_messages().toStdString();
-    EXPECT_DOUBLE_EQ(window_->bench().desk.job()->profile.tool.diameter_mm, 1.0);
+    ASSERT_TRUE(comes_to(session::OpenJobState::job)) << all_messages().toStdString();
+    EXPECT_DOUBLE_EQ(window_->context().open_job.job()->profile.tool.diameter_mm, 1.0);
     take_picture("engraved_light");
 }
 
 TEST_F(ModelFormOf, SlicesWithWhatWasChosen) {
     open_window();
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(comes_true([&] {
         return part<QLabel>("mesh_facts").text().contains("90\u2009184 facets, ");
     })) << part<QLabel>("mesh_facts").text().toStdString();
@@ -272,8 +273,8 @@ TEST_F(ModelFormOf, SlicesWithWhatWasChosen) {
     part<QComboBox>("roughing").setCurrentIndex(1);
     part<QDoubleSpinBox>("stepdown").setValue(2.0);
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job)) << all_messages().toStdString();
-    const auto job = window_->bench().desk.job();
+    ASSERT_TRUE(comes_to(session::OpenJobState::job)) << all_messages().toStdString();
+    const auto job = window_->context().open_job.job();
     ASSERT_GE(job->view.passes().size(), 3U);
     EXPECT_EQ(job->view.passes()[0].depth_mm, 7.0);
     EXPECT_EQ(job->view.layer_count() - job->view.finishing_layer(), 20U);

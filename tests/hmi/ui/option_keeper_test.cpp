@@ -126,7 +126,7 @@ TEST_F(KeptOptions, NeverMoveNorArmNorDriveFaster) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     part<QAbstractSlider>("override").setValue(170);
-    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 170; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 170; }));
     button("dry_run").setChecked(true);
     part<QAbstractSlider>("jog_linear_speed").setValue(33);
     ASSERT_TRUE(click("arm_keys"));
@@ -137,10 +137,10 @@ TEST_F(KeptOptions, NeverMoveNorArmNorDriveFaster) {
     start_core();
     open_window();
     ASSERT_TRUE(comes_to(S::off));
-    const auto beat = sight().status->heartbeat;
-    ASSERT_TRUE(comes_true([&] { return sight().status->heartbeat > beat + 5; }));
-    EXPECT_EQ(sight().state(), S::off);
-    EXPECT_EQ(sight().status->override_percent, 100U);
+    const auto beat = machine_view().status->heartbeat;
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->heartbeat > beat + 5; }));
+    EXPECT_EQ(machine_view().state(), S::off);
+    EXPECT_EQ(machine_view().status->override_percent, 100U);
     EXPECT_EQ(part<QAbstractSlider>("override").value(), 100);
     EXPECT_FALSE(button("dry_run").isChecked());
     EXPECT_EQ(button("arm_keys").text(), "Arm keyboard jog");

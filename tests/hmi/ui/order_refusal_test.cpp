@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QSpinBox>
 
-#include "hmi/session/move_wish.hpp"
+#include "hmi/session/move_request.hpp"
 #include "tests/hmi/ui/pages_rig.hpp"
 
 namespace psicarve::ui {
@@ -21,7 +21,7 @@ protected:
     void open_on_core() {
         start_core();
         open_window();
-        ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+        ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     }
     void home() {
         ASSERT_TRUE(click("home"));
@@ -31,7 +31,7 @@ protected:
         window_->emergency_stop();
         ASSERT_TRUE(comes_to(S::alarm));
     }
-    session::MachineSession& machine() { return window_->bench().machine; }
+    session::MachineSession& machine() { return window_->context().machine; }
     bool is_there(const char* card) { return part<QWidget>(card).isVisible(); }
     QString why(const char* card) {
         return part<QLabel>((std::string{card} + "_why").c_str()).text().remove(QChar{0x200B});
@@ -153,9 +153,9 @@ TEST_F(OrderRefused, AMoveInAnAlarmSaysSoInItsDialog) {
     home();
     ASSERT_TRUE(click("go_to"));
     stop_in_an_emergency();
-    session::MoveWish wish;
-    wish.target[index_of(Axis::y)] = 10.0;
-    machine().order(session::move_command(wish), session::phrase("Go to"));
+    session::MoveRequest request;
+    request.target[index_of(Axis::y)] = 10.0;
+    machine().order(session::move_command(request), session::phrase("Go to"));
     ASSERT_TRUE(comes("refused_move")) << all_messages().toStdString();
     ASSERT_TRUE(click("refused_move_remedy"));
     ASSERT_TRUE(comes_to(S::off));
@@ -197,7 +197,7 @@ TEST_F(OrderRefused, IsTakenAwayOnceItWasReadWhereverItStands) {
     part<QDialog>("move_dialog").show();
     EXPECT_TRUE(taken_away("refused_move", CommandKind::move));
     part<QDialog>("move_dialog").close();
-    EXPECT_EQ(sight().state(), S::alarm) << "it moves and resets nothing";
+    EXPECT_EQ(machine_view().state(), S::alarm) << "it moves and resets nothing";
 }
 
 TEST_F(OrderRefused, OfAPanelThatIsAnotherTabStandsBeforeThePages) {

@@ -27,7 +27,7 @@ protected:
     bool comes_to_be_called(const std::string& text) {
         return comes_true([&] { return label() == text; });
     }
-    std::string unit() { return session::axis_readout(sight(), Axis::r1).unit; }
+    std::string unit() { return session::axis_readout(machine_view(), Axis::r1).unit; }
 };
 
 TEST_F(OtherProfile, IsCountedByTheJobsThatTheCoreHasAccepted) {
@@ -37,17 +37,17 @@ TEST_F(OtherProfile, IsCountedByTheJobsThatTheCoreHasAccepted) {
     start_core_with(own);
     forget_its_file();
     open_window();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     ASSERT_TRUE(comes_to_be_called("profile unknown")) << label();
     EXPECT_EQ(unit(), "pulses");
     publish_job(two_process::long_job());
     ASSERT_TRUE(comes_to_be_called("profile as the job's")) << label();
     EXPECT_EQ(unit(), "mm");
-    EXPECT_TRUE(sight().is_profile_of_job);
-    EXPECT_EQ(sight().profile->head_clearance_mm, Profile{}.head_clearance_mm);
+    EXPECT_TRUE(machine_view().is_profile_of_job);
+    EXPECT_EQ(machine_view().profile->head_clearance_mm, Profile{}.head_clearance_mm);
     core_->send_signal(SIGKILL);
     core_->wait_for_exit();
-    ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
     EXPECT_EQ(unit(), "mm") << "as they were known last";
 }
 
@@ -57,14 +57,14 @@ TEST_F(OtherProfile, IsNotTakenFromAJobThatTheCoreRefuses) {
     start_core_with(own);
     forget_its_file();
     open_window();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     ASSERT_TRUE(comes_to_be_called("profile unknown"));
     Snapshot snapshot;
     snapshot.job_blob = job_blob_from_table(two_process::long_job());
     ASSERT_TRUE(save_snapshot(snapshot, file("refused.job")));
     window_->open(QString::fromStdString(file("refused.job")));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
-    window_->bench().desk.publish();
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
+    window_->context().open_job.publish();
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("refused"); }))
         << all_messages().toStdString();
     EXPECT_EQ(label(), "profile unknown");
@@ -79,7 +79,7 @@ TEST_F(OtherProfile, IsFoundInTheFileThatTheCoreWasStartedWith) {
     open_window();
     ASSERT_TRUE(comes_to_be_called("profile lathe")) << label();
     EXPECT_EQ(unit(), "mm");
-    EXPECT_FALSE(sight().is_profile_of_job);
+    EXPECT_FALSE(machine_view().is_profile_of_job);
     EXPECT_FALSE(part<QWidget>("core_profile").isVisible()) << "nobody has given another one";
 }
 
@@ -92,7 +92,7 @@ TEST_F(OtherProfile, IsToldThoughNobodyFindsItsFile) {
     start_core_with(own);
     forget_its_file();
     open_window();
-    window_->bench().machine.set_profile(given);
+    window_->context().machine.set_profile(given);
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     const QString title = part<QLabel>("core_profile_title").text().remove(QChar{0x200B});
     EXPECT_TRUE(title.startsWith("The core runs with another profile than mill_with")) << title.toStdString();
@@ -113,19 +113,19 @@ TEST_F(OtherProfile, IsNotTakenOverByARemedyThatHasNothingToTake) {
     own.r1.pulses_per_mm *= 2.0;
     open_window();
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     start_core_with(own);
     ASSERT_TRUE(comes_to_be_called("profile lathe")) << label();
     ASSERT_TRUE(click("publish"));
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
     ASSERT_TRUE(click("remedy_profile"));
     ASSERT_TRUE(comes_true([&] {
-        const auto job = window_->bench().desk.job();
+        const auto job = window_->context().open_job.job();
         return job && job->profile.r1 == own.r1;
     }));
-    EXPECT_FALSE(window_->bench().machine.options().profile) << "nobody has given one";
+    EXPECT_FALSE(window_->context().machine.options().profile) << "nobody has given one";
     EXPECT_FALSE(all_messages().contains("Taken over from the core"));
 }
 
@@ -135,7 +135,7 @@ TEST_F(OtherProfile, HasANameThatIsShownAsItIsWrittenWhateverItLooksLike) {
     given.tool.diameter_mm += 1.0;
     start_core();
     open_window();
-    window_->bench().machine.set_profile(given);
+    window_->context().machine.set_profile(given);
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     for (const char* name : {"core_profile_title", "core_profile_details", "profile_label"}) {
         const auto& label = part<QLabel>(name);
@@ -150,11 +150,11 @@ TEST_F(OtherProfile, IsTakenOverAndTheJobSlicedAgainByIt) {
     given.name = "mill";
     given.r1.pulses_per_mm *= 2.0;
     open_window();
-    window_->bench().machine.set_profile(given);
+    window_->context().machine.set_profile(given);
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     start_core();
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     const QString title = part<QLabel>("core_profile_title").text().remove(QChar{0x200B});
@@ -169,11 +169,12 @@ TEST_F(OtherProfile, IsTakenOverAndTheJobSlicedAgainByIt) {
     window_->set_theme(ThemeChoice::dark);
     take_picture("not_published_dark");
     ASSERT_TRUE(click("remedy_profile"));
-    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.sight().state == session::DeskState::job; }));
+    ASSERT_TRUE(
+        comes_true([&] { return window_->context().open_job.view().state == session::OpenJobState::job; }));
     ASSERT_TRUE(comes_true([&] { return !part<QWidget>("core_profile").isVisible(); }));
     EXPECT_TRUE(comes_to_be_called("profile default")) << label();
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(session::DeskState::published));
+    ASSERT_TRUE(comes_to(session::OpenJobState::published));
 }
 
 TEST_F(OtherProfile, IsTakenOverWithAClick) {
@@ -182,15 +183,15 @@ TEST_F(OtherProfile, IsTakenOverWithAClick) {
     given.tool.diameter_mm += 1.0;
     start_core();
     open_window();
-    window_->bench().machine.set_profile(given);
+    window_->context().machine.set_profile(given);
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("core_profile").isVisible(); }));
     ASSERT_TRUE(click("core_profile_take"));
     ASSERT_TRUE(comes_true([&] { return !part<QWidget>("core_profile").isVisible(); }));
     ASSERT_TRUE(comes_to_be_called("profile default")) << label();
     core_->send_signal(SIGKILL);
     core_->wait_for_exit();
-    ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
-    EXPECT_EQ(window_->bench().machine.options().profile, Profile{}) << "also without a core";
+    ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
+    EXPECT_EQ(window_->context().machine.options().profile, Profile{}) << "also without a core";
 }
 
 }  // namespace

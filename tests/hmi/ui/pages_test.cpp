@@ -54,8 +54,8 @@ TEST_F(Pages, PortsListEveryPinAndShowItsLevel) {
 
 TEST_F(Pages, MessagesAreFoundByTheirWords) {
     open_window();
-    window_->bench().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
-    window_->bench().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
+    window_->context().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    window_->context().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
     show_page("messages_page");
     auto* const table = window_->findChild<QTableWidget*>("messages");
     const auto shown = [&] {
@@ -83,7 +83,7 @@ TEST_F(Pages, TheTabOfMessagesTellsHowManyAreUnread) {
     };
     EXPECT_EQ(unread(), "");
     for (const char* count : {"1", "2", "3"}) {
-        window_->bench().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
+        window_->context().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
         EXPECT_EQ(unread(), count);
     }
     show_page("messages_page");
@@ -94,7 +94,7 @@ TEST_F(Pages, TheNumberOnATabHasTheInkOfItsGround) {
     open_window();
     window_->set_theme(ThemeChoice::dark);
     const auto badge_after = [&](session::Severity severity) -> const QLabel& {
-        window_->bench().log.add(severity, session::phrase("Not saved: %1", "disk full"));
+        window_->context().log.add(severity, session::phrase("Not saved: %1", "disk full"));
         window_->refresh();
         return part<QLabel>("tab_badge_5");
     };

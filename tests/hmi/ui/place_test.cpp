@@ -130,7 +130,7 @@ TEST_F(WindowWithoutItsCore, SaysSoInItsFirstLookAfterTheCoresDeath) {
     core_->wait_for_exit();
     window_->refresh();
     EXPECT_EQ(static_cast<StatePill&>(part<QWidget>("state_pill")).word(), "NO CORE");
-    EXPECT_EQ(sight().life, session::CoreLife::none);
+    EXPECT_EQ(machine_view().life, session::CoreLife::none);
 }
 
 }  // namespace

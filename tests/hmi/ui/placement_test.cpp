@@ -22,7 +22,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 using test::WindowRig;
 
 class PlacedModel : public WindowRig {
@@ -30,7 +30,7 @@ protected:
     void open_owl() {
         open_window();
         window_->open(QString::fromStdString(example("figurine.stl")));
-        ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
         ASSERT_TRUE(shows("27.3 × 27.7 × 52.6")) << size().toStdString();
     }
     QString size() { return part<QLabel>("mesh_facts").text().section('\n', 0, 0); }
@@ -45,8 +45,8 @@ protected:
         part<QSpinBox>("layers").setValue(20);
         part<QSpinBox>("points").setValue(20);
         EXPECT_TRUE(click("slice"));
-        EXPECT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
-        return nlohmann::json::parse(window_->bench().desk.job()->view.report_json());
+        EXPECT_TRUE(comes_to(OpenJobState::job)) << all_messages().toStdString();
+        return nlohmann::json::parse(window_->context().open_job.job()->view.report_json());
     }
 };
 
@@ -58,19 +58,19 @@ TEST_F(PlacedModel, IsTurnedAndMirroredAsInTheCommandLine) {
     set("turn_x", 90.0);
     ASSERT_TRUE(shows("27.3 × 52.6 × 27.7")) << size().toStdString();
     part<QComboBox>("mirror").setCurrentIndex(2);
-    ASSERT_TRUE(comes_true([&] { return window_->bench().desk.mesh()->turn.mirror == 1U; }));
+    ASSERT_TRUE(comes_true([&] { return window_->context().open_job.mesh()->turn.mirror == 1U; }));
     take_picture("turned_light");
     const auto turn = sliced_report()["turn"];
     EXPECT_EQ(turn["mirror"], "y") << turn.dump();
     EXPECT_EQ(turn["rotate_deg"][0], 90.0) << turn.dump();
     // Another look at the same file keeps it, another file does not.
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     EXPECT_TRUE(shows("27.3 × 52.6 × 27.7")) << size().toStdString();
     window_->open(QString::fromStdString(example("small.stl")));
     ASSERT_TRUE(comes_true([&] { return !part<QCheckBox>("turn").isChecked(); }));
-    ASSERT_TRUE(comes_to(DeskState::model));
-    EXPECT_FALSE(window_->bench().desk.mesh()->turn.any());
+    ASSERT_TRUE(comes_to(OpenJobState::model));
+    EXPECT_FALSE(window_->context().open_job.mesh()->turn.any());
 }
 
 TEST_F(PlacedModel, IsAsInItsFileAgainOnceItIsNotTurned) {
@@ -80,7 +80,7 @@ TEST_F(PlacedModel, IsAsInItsFileAgainOnceItIsNotTurned) {
     ASSERT_TRUE(shows("52.6 × 27.7 × 27.3")) << size().toStdString();
     tick("turn", false);
     EXPECT_TRUE(shows("27.3 × 27.7 × 52.6")) << size().toStdString();
-    EXPECT_FALSE(window_->bench().desk.mesh()->turn.any());
+    EXPECT_FALSE(window_->context().open_job.mesh()->turn.any());
 }
 
 TEST_F(PlacedModel, IsMadeAsLargeAsFits) {
@@ -118,7 +118,7 @@ TEST_F(PlacedModel, HasTheNumberOfItsWarningsOnItsTab) {
     const auto* const tabs = window_->findChild<QTabWidget*>();
     EXPECT_EQ(tabs->tabBar()->tabButton(0, QTabBar::RightSide), nullptr) << "the mesh is sound";
     sliced_report();
-    const auto& warnings = window_->bench().desk.job()->warnings;
+    const auto& warnings = window_->context().open_job.job()->warnings;
     ASSERT_FALSE(warnings.empty());
     const auto count = [&] {
         const auto* const badge = qobject_cast<QLabel*>(tabs->tabBar()->tabButton(0, QTabBar::RightSide));
@@ -150,7 +150,7 @@ TEST_F(PlacedModel, StandsInTheChosenBlankAndIsWarnedOfBeforeItIsSliced) {
     set("blank_radius", 10.0);
     ASSERT_TRUE(comes_true([&] { return warnings.count() == 1; }));
     sliced_report();
-    const auto& told = window_->bench().desk.job()->warnings;
+    const auto& told = window_->context().open_job.job()->warnings;
     EXPECT_TRUE(comes_true([&] { return static_cast<std::size_t>(warnings.count()) == told.size(); }))
         << "the job's are enough";
 }
@@ -161,7 +161,7 @@ TEST_F(PlacedModel, WithHolesIsWarnedOfThemOnce) {
            "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5\n";
     open_window();
     window_->open(QString::fromStdString(file("open.obj")));
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     sliced_report();
     const auto& warnings = part<QListWidget>("warnings");
     ASSERT_TRUE(comes_true([&] { return warnings.count() > 0; }));
@@ -214,25 +214,25 @@ TEST_F(PlacedModel, IsEngravedAnewWhenTheMachineHasAnotherTool) {
         << all_messages().toStdString();
     tick("engrave");
     ASSERT_TRUE(comes_true([&] {
-        const auto mesh = window_->bench().desk.mesh();
+        const auto mesh = window_->context().open_job.mesh();
         return mesh && mesh->grooves;
     })) << all_messages().toStdString();
     EXPECT_FALSE(part<QCheckBox>("turn").isVisible());
-    const auto before = window_->bench().desk.mesh();
+    const auto before = window_->context().open_job.mesh();
     Profile other;
     other.tool = {ToolShape::ball, 2.0, other.tool.angle_deg};
     std::ofstream{file("other.toml")} << profile_to_toml(other);
-    window_->bench().machine.offer_profile(other);
+    window_->context().machine.offer_profile(other);
     start_core({"--profile", file("other.toml")});
     ASSERT_TRUE(comes_true([&] {
-        const auto mesh = window_->bench().desk.mesh();
+        const auto mesh = window_->context().open_job.mesh();
         return mesh && mesh != before && mesh->grooves;
     })) << all_messages().toStdString();
-    ASSERT_TRUE(window_->bench().desk.shape().engraving);
-    EXPECT_EQ(window_->bench().desk.shape().engraving->tool.diameter_mm, 2.0);
+    ASSERT_TRUE(window_->context().open_job.shape().engraving);
+    EXPECT_EQ(window_->context().open_job.shape().engraving->tool.diameter_mm, 2.0);
     sliced_report();
     ASSERT_TRUE(click("publish"));
-    EXPECT_TRUE(comes_to(DeskState::published)) << all_messages().toStdString();
+    EXPECT_TRUE(comes_to(OpenJobState::published)) << all_messages().toStdString();
 }
 
 }  // namespace

@@ -83,10 +83,10 @@ TEST_F(Reasons, AreToldWithoutACoreWithAndWithoutAModel) {
     open_window();
     expect_reasons_on_all_pages("no core");
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     expect_reasons_on_all_pages("no core, a model");
     EXPECT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     expect_reasons_on_all_pages("no core, a job");
     for (const char* name : {"home", "start", "jog_y_up", "profile_save", "profile_undo", "profile_restore",
                              "latency_end", "latency_save", "view_undercut", "model_report_open"})
@@ -115,7 +115,7 @@ TEST_F(Reasons, AreToldOfAProfile) {
 TEST_F(Reasons, AreToldWhateverTheMachineIsAt) {
     start_core();
     open_window();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     expect_reasons_on_all_pages("not homed");
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
     expect_reasons_on_all_pages("published");
@@ -135,7 +135,7 @@ TEST_F(Reasons, AreToldWhateverTheMachineIsAt) {
     ASSERT_TRUE(comes_to(S::alarm));
     expect_reasons_on_all_pages("alarm");
     core_.reset();
-    ASSERT_TRUE(comes_true([&] { return !sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
     expect_reasons_on_all_pages("core lost");
 }
 
@@ -145,7 +145,7 @@ TEST_F(Reasons, AreToldOfRecordings) {
     expect_reasons("at first");
     for (const std::string& recording : {trace(), snapshot()}) {
         window_->open(QString::fromStdString(recording));
-        auto& desk = window_->bench().replay;
+        auto& desk = window_->context().replay;
         ASSERT_TRUE(comes_true([&] { return desk.is_open() && desk.is_settled(); }));
         expect_reasons_on_all_pages(recording);
         desk.leave();

@@ -15,7 +15,7 @@ namespace psicarve::ui {
 namespace {
 
 using test::WindowRig;
-using DS = session::DeskState;
+using DS = session::OpenJobState;
 
 class WindowThatRefuses : public WindowRig {
 protected:
@@ -68,7 +68,7 @@ TEST_F(WindowThatRefuses, SaysSoBesideTheModelThatStaysAndForgetsItWithTheNextOn
     ASSERT_TRUE(comes_true([&] { return is_refusal_there(); }));
     EXPECT_EQ(text_of("refusal_title"), "gone.stl was not opened");
     EXPECT_EQ(text_of("refusal_stays"), "Still open: small.stl");
-    EXPECT_EQ(window_->bench().desk.sight().state, DS::model);
+    EXPECT_EQ(window_->context().open_job.view().state, DS::model);
     take_picture("refused_beside_a_model");
     open(example("letter.stl"));
     ASSERT_TRUE(comes_true([&] { return has("Opened letter.stl"); }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording in the window: everything shows its moment, nothing moves, the live machine stays in sight.
+// A recording in the window: everything shows its moment, nothing moves, the live machine stays in view.
 #include <gtest/gtest.h>
 
 #include <QDialog>
@@ -30,7 +30,7 @@ using S = MachineState;
 
 class ReplayWindow : public replay::test::RecordedOn<WindowRig> {
 protected:
-    replay::ReplayDesk& desk() { return window_->bench().replay; }
+    replay::ReplaySession& desk() { return window_->context().replay; }
     void open_recording(const std::string& path) {
         window_->open(QString::fromStdString(path));
         ASSERT_TRUE(comes_true([&] { return desk().is_open() && desk().is_settled(); }))
@@ -54,7 +54,7 @@ TEST_F(ReplayWindow, LocksWhatWouldHelpARefusedModel) {
     record();
     open_window();
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     part<QDoubleSpinBox>("scale").setValue(10.0);
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("desk_refusal").isVisible(); }));
@@ -78,12 +78,12 @@ TEST_F(ReplayWindow, ShowsATracesMomentOnEveryPageAndLeavesAgain) {
     EXPECT_EQ(pill(), "REPLAY");
     EXPECT_TRUE(window_->findChild<QWidget*>("replay_bar")->isVisible());
     EXPECT_FALSE(part<QWidget>("dry_run").isEnabled());
-    window_->bench().replay.add_job(job());
+    window_->context().replay.add_job(job());
     ASSERT_TRUE(comes_true([&] { return desk().carving() != nullptr && desk().is_settled(); }))
         << all_messages().toStdString();
     go_to(0.85);
     ASSERT_TRUE(desk().shown().place);
-    const auto& status = *desk().sight().status;
+    const auto& status = *desk().view().status;
     const double r1_mm = static_cast<double>(status.position_pulses[0]) / Profile{}.r1.pulses_per_mm;
     EXPECT_EQ(text_of("position_r1"), QString::number(r1_mm, 'f', 2));
     EXPECT_TRUE(text_of("replay_place").startsWith(QString{"Layer %1 / 6"}.arg(status.layer + 1)));
@@ -135,18 +135,18 @@ TEST_F(ReplayWindow, MovesNothingWhileTheMachineIsReady) {
     EXPECT_FALSE(window_->findChild<QSlider*>("override")->isEnabled());
     // Nor by ways around the buttons.
     const auto positions = [&] {
-        const auto& pulses = window_->bench().machine.sight().status->position_pulses;
+        const auto& pulses = window_->context().machine.view().status->position_pulses;
         return std::vector<std::int64_t>(std::begin(pulses), std::end(pulses));
     };
     const auto before = positions();
-    window_->bench().machine.start(0);
-    window_->bench().machine.order(CommandKind::home, session::phrase("Home"));
-    window_->bench().machine.jog().step(Axis::y, 1.0, 5.0);
-    window_->bench().machine.jog().hold(Axis::y, true, 5.0);
+    window_->context().machine.start(0);
+    window_->context().machine.order(CommandKind::home, session::phrase("Home"));
+    window_->context().machine.jog().step(Axis::y, 1.0, 5.0);
+    window_->context().machine.jog().hold(Axis::y, true, 5.0);
     EXPECT_TRUE(all_messages().contains("Home: a recording is shown"));
     for (int i = 0; i < 30; ++i) ASSERT_TRUE(comes_true([&] { return true; }));
     EXPECT_EQ(positions(), before);
-    EXPECT_EQ(window_->bench().machine.sight().state(), S::ready);
+    EXPECT_EQ(window_->context().machine.view().state(), S::ready);
     take_picture("replay_snapshot_light");
     ASSERT_TRUE(click("replay_leave"));
     ASSERT_TRUE(click("jog_y_up"));
@@ -180,12 +180,12 @@ TEST_F(ReplayWindow, LetsAHandHoldTheMachineThatCarvesButNotGoOn) {
     ASSERT_TRUE(reaches(S::carving));
     open_window();
     open_recording(trace());
-    window_->bench().machine.order(CommandKind::hold, session::phrase("Hold"));
+    window_->context().machine.order(CommandKind::hold, session::phrase("Hold"));
     ASSERT_TRUE(comes_to(S::held));
-    window_->bench().machine.order(CommandKind::resume, session::phrase("Resume"));
+    window_->context().machine.order(CommandKind::resume, session::phrase("Resume"));
     EXPECT_TRUE(all_messages().contains("Resume: a recording is shown"));
     for (int i = 0; i < 30; ++i) ASSERT_TRUE(comes_true([&] { return true; }));
-    EXPECT_EQ(window_->bench().machine.sight().state(), S::held);
+    EXPECT_EQ(window_->context().machine.view().state(), S::held);
 }
 
 TEST_F(ReplayWindow, IsScrubbedByMouseAndKeysAndPlayed) {
@@ -225,11 +225,11 @@ TEST_F(ReplayWindow, OpensTheJobOfASnapshotAndAModelInstead) {
     open_window();
     open_recording(snapshot());
     ASSERT_TRUE(click("replay_job"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     EXPECT_FALSE(desk().is_open());
     open_recording(snapshot());
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     EXPECT_FALSE(desk().is_open());
     EXPECT_EQ(test::KeptSettings{}.recent_files().size(), 2);
 }
@@ -290,7 +290,7 @@ TEST_F(ReplayWindow, SaysWhichNeighbourItDidNotTakeAsTheTracesJob) {
     EXPECT_TRUE(warnings.isVisible());
     EXPECT_EQ(warnings.text(), "run.snap lies beside this trace, but is of another run: it is not used");
     take_picture("replay_refused_neighbour_light");
-    window_->bench().replay.add_job(job());
+    window_->context().replay.add_job(job());
     ASSERT_TRUE(comes_true([&] { return desk().facts().job != nullptr; }));
     ASSERT_TRUE(comes_true([&] { return !warnings.isVisible(); }));
 }
@@ -304,7 +304,7 @@ TEST_F(ReplayWindow, HoldsATraceAgainstItsJobAndShowsTheVerdict) {
     if (!desk().facts().job) {
         EXPECT_FALSE(button("replay_verify").isEnabled()) << "against what?";
         EXPECT_FALSE(button("replay_verify").toolTip().isEmpty());
-        window_->bench().replay.add_job(job());
+        window_->context().replay.add_job(job());
         ASSERT_TRUE(comes_true([&] { return desk().facts().job != nullptr; }))
             << all_messages().toStdString();
     }

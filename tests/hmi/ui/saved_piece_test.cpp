@@ -74,13 +74,13 @@ TEST_F(SavedPiece, IsOfferedAtTheStartAndGoesOn) {
     EXPECT_FALSE(button("start_anew").isVisible()) << "there is no job yet";
     take_picture("saved_piece_light");
     ASSERT_TRUE(click("unfinished_open"));
-    ASSERT_TRUE(comes_to(session::DeskState::job)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(session::OpenJobState::job)) << all_messages().toStdString();
     EXPECT_FALSE(is_shown());
-    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), 40U);
+    EXPECT_EQ(window_->context().open_job.job()->view.layer_count(), 40U);
 
     start_core({"--state", state()});
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(session::DeskState::published)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(session::OpenJobState::published)) << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return is_shown(); }));
     EXPECT_EQ(label("unfinished_title"), "Unfinished: 6 of 40 layers are carved");
     EXPECT_TRUE(button("start_anew").isVisible());
@@ -89,21 +89,22 @@ TEST_F(SavedPiece, IsOfferedAtTheStartAndGoesOn) {
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_TRUE(comes_true([&] { return button("start").text() == "Continue from layer 7"; }));
     // A disk's word is not taken without a question, however the layer is started.
-    ASSERT_TRUE(comes_true([&] { return sight().saved_piece.has_value(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().saved_piece.has_value(); }));
     for (const char* name : {"start", "one_layer", "from_layer"}) {
         EXPECT_TRUE(answered([&] { EXPECT_TRUE(click(name)); }, {answers("disk_cancel")})) << name;
         EXPECT_TRUE(question_.startsWith("Unfinished: 6 of 40 layers of lobed are carved\n\nSince 20"))
             << question_.toStdString();
         EXPECT_TRUE(question_.contains(" UTC, tool point.")) << question_.toStdString();
     }
-    EXPECT_TRUE(comes_true([&] { return !window_->bench().machine.has_orders(); }));
-    EXPECT_EQ(sight().status->job_start_tick, 0U) << "nothing was started";
+    EXPECT_TRUE(comes_true([&] { return !window_->context().machine.has_orders(); }));
+    EXPECT_EQ(machine_view().status->job_start_tick, 0U) << "nothing was started";
     EXPECT_TRUE(answered([&] { EXPECT_TRUE(click("start")); }, {answers("disk_go")}));
-    EXPECT_TRUE(comes_true([&] { return sight().status && sight().status->layer >= 6; }));
-    EXPECT_TRUE(comes_true([&] { return !sight().is_checkpoint_from_disk; }))
+    EXPECT_TRUE(comes_true([&] { return machine_view().status && machine_view().status->layer >= 6; }));
+    EXPECT_TRUE(comes_true([&] { return !machine_view().is_checkpoint_from_disk; }))
         << "now it is the machine's own";
-    EXPECT_TRUE(comes_true([&] { return sight().status->points_done == sight().status->points_total; }))
-        << all_messages().toStdString();
+    EXPECT_TRUE(comes_true([&] {
+        return machine_view().status->points_done == machine_view().status->points_total;
+    })) << all_messages().toStdString();
 }
 
 TEST_F(SavedPiece, IsForgottenForGoodOnceItWasAsked) {
@@ -173,7 +174,7 @@ TEST_F(SavedPiece, WithoutACopyOfItsJobSaysSoAndIsDismissed) {
     EXPECT_FALSE(comes_true([&] { return is_shown(); }, two_process::milliseconds{0}));
     // Another job of the machine's is another piece.
     publish_job(two_process::lobed_job(3, 33));
-    EXPECT_TRUE(comes_true([&] { return !sight().saved_piece; }));
+    EXPECT_TRUE(comes_true([&] { return !machine_view().saved_piece; }));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 using S = MachineState;
 
 class SavingByHand : public replay::test::RecordedOn<test::HandsRig> {
@@ -37,7 +37,7 @@ protected:
     bool is_told(const QString& text) {
         return comes_true([&] { return all_messages().contains(text); });
     }
-    std::int64_t pulses(Axis axis) { return sight().status->position_pulses[index_of(axis)]; }
+    std::int64_t pulses(Axis axis) { return machine_view().status->position_pulses[index_of(axis)]; }
     /// Of one pin that goes up and down for `count` ticks, and of no end.
     void write_long_trace(const std::string& path, std::size_t count) {
         TraceHeader header{};
@@ -62,7 +62,8 @@ TEST_F(SavingByHand, KeepsLogBundleAndReport) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(click("start"));
-    ASSERT_TRUE(comes_true([&] { return window_->bench().runs.is_over(); })) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return window_->context().runs.is_over(); }))
+        << all_messages().toStdString();
     show_page("messages_page");
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(click("save_log")); }, file("kept.log")));
     ASSERT_TRUE(is_told("Log saved: ")) << all_messages().toStdString();
@@ -85,13 +86,13 @@ TEST_F(SavingByHand, KeepsLogBundleAndReport) {
 TEST_F(SavingByHand, SavesNothingWhenNobodyNamesAFile) {
     open_in_front();
     show_page("messages_page");
-    const auto count = window_->bench().log.count();
+    const auto count = window_->context().log.count();
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(click("save_log")); }, ""));
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(click("save_bundle")); }, ""));
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(choose_entry("save_snapshot")); }, ""));
     EXPECT_TRUE(named_file([&] { EXPECT_TRUE(choose_entry("open_action")); }, ""));
     window_->refresh();
-    EXPECT_EQ(window_->bench().log.count(), count) << all_messages().toStdString();
+    EXPECT_EQ(window_->context().log.count(), count) << all_messages().toStdString();
 }
 
 TEST_F(SavingByHand, KeepsAMeasurement) {
@@ -113,20 +114,20 @@ TEST_F(SavingByHand, KeepsAMeasurement) {
 TEST_F(SavingByHand, EndsSlicingAndTheModelCanBeSlicedAgain) {
     open_in_front();
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     part<QSpinBox>("layers").setValue(4000);
     part<QSpinBox>("points").setValue(3201);  // as many as psi has pulses for
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(DeskState::slicing));
+    ASSERT_TRUE(comes_to(OpenJobState::slicing));
     ASSERT_TRUE(comes_true([&] { return button("cancel").isVisible(); }));
     ASSERT_TRUE(click("cancel"));
-    ASSERT_TRUE(comes_to(DeskState::model));
-    EXPECT_EQ(window_->bench().desk.job(), nullptr);
+    ASSERT_TRUE(comes_to(OpenJobState::model));
+    EXPECT_EQ(window_->context().open_job.job(), nullptr);
     EXPECT_FALSE(button("cancel").isVisible());
     part<QSpinBox>("layers").setValue(10);
     part<QSpinBox>("points").setValue(40);
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
 }
 
 TEST_F(SavingByHand, EndsTheReadingOfARecording) {
@@ -135,8 +136,8 @@ TEST_F(SavingByHand, EndsTheReadingOfARecording) {
     window_->open(QString::fromStdString(file("long.trace")));
     ASSERT_TRUE(comes_true([&] { return button("replay_cancel").isVisible(); }));
     ASSERT_TRUE(click("replay_cancel"));
-    ASSERT_TRUE(comes_true([&] { return !window_->bench().replay.is_opening(); }));
-    EXPECT_FALSE(window_->bench().replay.is_open());
+    ASSERT_TRUE(comes_true([&] { return !window_->context().replay.is_opening(); }));
+    EXPECT_FALSE(window_->context().replay.is_open());
     EXPECT_TRUE(is_told("cancelled")) << all_messages().toStdString();
     EXPECT_FALSE(part<QWidget>("replay_bar").isVisible());
 }
@@ -150,7 +151,7 @@ TEST_F(SavingByHand, TakesPresentPositionsIntoTheDialogOfAMove) {
     auto& target = part<QDoubleSpinBox>("move_to_y");
     const double homed_mm = target.value();
     ASSERT_TRUE(click("jog_y_up"));
-    ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && pulses(Axis::y) != 0; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().state() == S::ready && pulses(Axis::y) != 0; }));
     target.setValue(homed_mm + 7.0);
     EXPECT_TRUE(part<QCheckBox>("move_y").isChecked());
     ASSERT_TRUE(click("move_here"));
@@ -169,7 +170,7 @@ TEST_F(SavingByHand, MovesBothHeadsOutTogether) {
     const auto step = std::llround(0.1 * Profile{}.r1.pulses_per_mm);
     const auto come_to = [&](std::int64_t pulses_in) {
         return comes_true([&] {
-            return sight().state() == S::ready && pulses(Axis::r1) == r1 - pulses_in &&
+            return machine_view().state() == S::ready && pulses(Axis::r1) == r1 - pulses_in &&
                    pulses(Axis::r2) == r2 - pulses_in;
         });
     };
@@ -182,7 +183,7 @@ TEST_F(SavingByHand, MovesBothHeadsOutTogether) {
 TEST_F(SavingByHand, ChoosesStepsOfAJog) {
     start_core();
     open_in_front();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     for (const char* unit : {"mm", "deg"}) {
         for (const char* step : {"0.01", "0.1", "1", "10", "90"}) {
             const std::string name = std::string{"jog_step_"} + step + "_" + unit;
@@ -198,7 +199,7 @@ TEST_F(SavingByHand, ChoosesStepsOfAJog) {
     const auto from = pulses(Axis::y);
     ASSERT_TRUE(click("jog_y_up"));
     EXPECT_TRUE(comes_true([&] {
-        return sight().state() == S::ready &&
+        return machine_view().state() == S::ready &&
                pulses(Axis::y) == from + std::llround(Profile{}.y.pulses_per_mm);
     }));
 }
@@ -225,7 +226,7 @@ TEST_F(SavingByHand, ChoosesTheSpeedOfARecording) {
     record();
     open_in_front();
     window_->open(QString::fromStdString(trace()));
-    auto& desk = window_->bench().replay;
+    auto& desk = window_->context().replay;
     ASSERT_TRUE(comes_true([&] { return desk.is_open() && desk.is_settled(); }));
     const std::pair<const char*, double> speeds[] = {{"replay_speed_0.1", 0.1},
                                                      {"replay_speed_10", 10.0},
@@ -248,7 +249,7 @@ TEST_F(SavingByHand, LeavesEverythingAsItIsWhenAQuestionIsCancelled) {
                         }});
     };
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     ASSERT_TRUE(click("model_report_open"));
     ASSERT_TRUE(click("model_report_close"));
     EXPECT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("model_report") == nullptr; }));
@@ -258,7 +259,7 @@ TEST_F(SavingByHand, LeavesEverythingAsItIsWhenAQuestionIsCancelled) {
     part<QSpinBox>("layer").setValue(3);
     EXPECT_TRUE(cancels([&] { EXPECT_TRUE(click("from_layer")); }, "from_layer_cancel"))
         << all_messages().toStdString() << button("from_layer").toolTip().toStdString();
-    EXPECT_EQ(sight().state(), S::ready);
+    EXPECT_EQ(machine_view().state(), S::ready);
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_to(S::carving));
     EXPECT_TRUE(cancels([&] { window_->close(); }, "close_cancel"));

@@ -33,7 +33,7 @@ TEST_F(ScaledWindow, CutsNothingOff) {
     ASSERT_DOUBLE_EQ(ratio(), wanted);
     window_->resize(wanted < 2.0 ? QSize{1280, 690} : QSize{960, 515});
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     expect_fit("model");
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(40, 61)));
     auto& tabs = part<QTabWidget>("tabs");

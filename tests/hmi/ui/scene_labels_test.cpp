@@ -30,7 +30,8 @@ protected:
         window_->open(QString::fromStdString(example("")) + name);
         ASSERT_TRUE(comes_true([&] {
             return window_->windowTitle().startsWith(name) &&
-                   window_->bench().desk.sight().state == session::DeskState::model && blank().isVisible();
+                   window_->context().open_job.view().state == session::OpenJobState::model &&
+                   blank().isVisible();
         })) << all_messages().toStdString();
     }
     MeshView& view() { return part<MeshView>("model_view"); }

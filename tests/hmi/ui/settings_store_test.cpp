@@ -139,7 +139,7 @@ TEST_F(SettingsInTheirFile, ThatCannotBeWrittenAreToldOfOnce) {
     ASSERT_TRUE(comes_true([&] { return all_messages().contains(words); }));
     const int before = writes;
     window_->set_theme(ThemeChoice::light);
-    ASSERT_TRUE(comes_true([&] { return writes > before && window_->bench().saves.under_way().empty(); }));
+    ASSERT_TRUE(comes_true([&] { return writes > before && window_->context().saves.under_way().empty(); }));
     window_->refresh();
     EXPECT_EQ(all_messages().count(words), 1) << all_messages().toStdString();
     window_.reset();
@@ -225,8 +225,9 @@ TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     window_->set_theme(ThemeChoice::dark);
     part<QSpinBox>("points").setValue(77);
     window_->leave();
-    ASSERT_TRUE(eventually([&] { return window_->bench().saves.under_way().size() == 1; }));
-    EXPECT_EQ(window_->bench().saves.under_way()[0].path, "sleeping.ini") << "whoever ends the program knows";
+    ASSERT_TRUE(eventually([&] { return window_->context().saves.under_way().size() == 1; }));
+    EXPECT_EQ(window_->context().saves.under_way()[0].path, "sleeping.ini")
+        << "whoever ends the program knows";
     file.wake();
     window_.reset();
     EXPECT_EQ(file.values().value("window/theme").toString(), "dark");

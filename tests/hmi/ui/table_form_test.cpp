@@ -20,7 +20,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 
 class TableForm : public test::WindowRig {
 protected:
@@ -33,7 +33,7 @@ protected:
     }
     void open_table() {
         window_->open(QString::fromStdString(table()));
-        ASSERT_TRUE(comes_to(DeskState::job)) << all_messages().toStdString();
+        ASSERT_TRUE(comes_to(OpenJobState::job)) << all_messages().toStdString();
     }
     void choose(const char* name, int index) { part<QComboBox>(name).setCurrentIndex(index); }
     void set(const char* name, double value) { part<QDoubleSpinBox>(name).setValue(value); }
@@ -43,7 +43,7 @@ protected:
     /// The bytes that the command line would have made: slice radii.csv --tool ball:3 --blank 12x20
     /// --stepdown 1.
     std::vector<std::byte> wanted(std::optional<Joining> joining) const {
-        Profile profile = window_->bench().machine_profile();
+        Profile profile = window_->context().machine_profile();
         profile.tool.shape = ToolShape::ball;
         profile.tool.diameter_mm = 3.0;
         profile.blank.radius_mm = 12.0;
@@ -61,7 +61,7 @@ protected:
     }
     bool has_made(const std::vector<std::byte>& blob) {
         return comes_true([&] {
-            const auto job = window_->bench().desk.job();
+            const auto job = window_->context().open_job.job();
             return job && std::equal(job->blob.begin(), job->blob.end(), blob.begin(), blob.end());
         });
     }
@@ -71,12 +71,12 @@ TEST_F(TableForm, MakesTheJobAnewWithToolBlankAndRoughing) {
     open_window();
     ASSERT_NO_FATAL_FAILURE(open_table());
     ASSERT_TRUE(says("The job is ready")) << part<QLabel>("desk_state").text().toStdString();
-    EXPECT_TRUE(window_->bench().desk.job()->view.passes().size() < 2);
+    EXPECT_TRUE(window_->context().open_job.job()->view.passes().size() < 2);
     choose_tool_blank_and_roughing();
     EXPECT_TRUE(says("Changed since")) << part<QLabel>("desk_state").text().toStdString();
     ASSERT_TRUE(click("slice"));
     EXPECT_TRUE(has_made(wanted(std::nullopt))) << all_messages().toStdString();
-    EXPECT_GT(window_->bench().desk.job()->view.passes().size(), 2U);
+    EXPECT_GT(window_->context().open_job.job()->view.passes().size(), 2U);
     EXPECT_TRUE(says("The job is ready")) << part<QLabel>("desk_state").text().toStdString();
     choose("joining", part<QComboBox>("joining").findData("zigzag"));
     EXPECT_TRUE(says("Changed since"));
@@ -96,14 +96,14 @@ TEST_F(TableForm, IsNotWhatAJobThatWasTakenOverWasMadeBy) {
     open_window();
     ASSERT_NO_FATAL_FAILURE(open_table());
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_to(OpenJobState::published));
     choose_tool_blank_and_roughing();
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     ASSERT_TRUE(says("The job is ready"));
     ASSERT_TRUE(click("take_over"));
-    ASSERT_TRUE(comes_to(DeskState::published));
-    EXPECT_TRUE(window_->bench().desk.table_way()) << "the table is still open";
+    ASSERT_TRUE(comes_to(OpenJobState::published));
+    EXPECT_TRUE(window_->context().open_job.table_way()) << "the table is still open";
     EXPECT_TRUE(says("Changed since")) << part<QLabel>("desk_state").text().toStdString();
 }
 
@@ -132,7 +132,7 @@ TEST_F(TableForm, LocksWhatATableHasOfItselfAndSaysWhy) {
     for (const char* name : chosen) EXPECT_TRUE(part<QWidget>(name).isEnabled()) << name;
     take_picture("table_form_light");
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model)) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::model)) << all_messages().toStdString();
     for (const char* name : own) {
         EXPECT_TRUE(comes_true([&] { return part<QWidget>(name).isEnabled(); })) << name;
         EXPECT_FALSE(part<QWidget>(name).toolTip() == reason) << name;

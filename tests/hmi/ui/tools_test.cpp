@@ -51,7 +51,7 @@ protected:
         ASSERT_TRUE(comes_to(S::ready));
     }
     void show_page(int index) { window_->findChild<QTabWidget*>()->setCurrentIndex(index); }
-    std::int64_t pulses(Axis axis) { return sight().status->position_pulses[index_of(axis)]; }
+    std::int64_t pulses(Axis axis) { return machine_view().status->position_pulses[index_of(axis)]; }
     void save_picture_of(const char* dialog, const char* name) {
         part<QDialog>(dialog).grab().save(QString::fromStdString(in_build("screenshots/")) + name);
     }
@@ -77,7 +77,7 @@ TEST_F(Tools, GoToAPositionStraightAndOnAnArcAndSayWhatIsInTheWay) {
     EXPECT_TRUE(part<QCheckBox>("move_r1").isChecked()) << "who writes a position wants it";
     EXPECT_FALSE(part<QCheckBox>("move_r2").isChecked());
     ASSERT_TRUE(click("move_go"));
-    ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) == 8000 && sight().state() == S::ready; }))
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) == 8000 && machine_view().state() == S::ready; }))
         << all_messages().toStdString();
     EXPECT_EQ(pulses(Axis::r1), 12000);
     auto& shape = part<QComboBox>("move_shape");
@@ -88,7 +88,7 @@ TEST_F(Tools, GoToAPositionStraightAndOnAnArcAndSayWhatIsInTheWay) {
     part<QDoubleSpinBox>("move_centre_y").setValue(20.0);
     save_picture_of("move_dialog", "go_to_light.png");
     ASSERT_TRUE(click("move_go"));
-    ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) == 12000 && sight().state() == S::ready; }))
+    ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) == 12000 && machine_view().state() == S::ready; }))
         << all_messages().toStdString();
     EXPECT_EQ(pulses(Axis::r1), 8000);
     button("move_psi").click();
@@ -100,11 +100,11 @@ TEST_F(Tools, SwitchTheSpindleByHand) {
     open_homed();
     EXPECT_EQ(button("spindle").text(), "Start spindle");
     ASSERT_TRUE(click("spindle"));
-    ASSERT_TRUE(comes_true([&] { return sight().is_active(Signal::spindle); }))
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_active(Signal::spindle); }))
         << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return button("spindle").text() == "Stop spindle"; }));
     ASSERT_TRUE(click("spindle"));
-    ASSERT_TRUE(comes_true([&] { return !sight().is_active(Signal::spindle); }));
+    ASSERT_TRUE(comes_true([&] { return !machine_view().is_active(Signal::spindle); }));
 }
 
 TEST_F(Tools, RecordThePinsOfARunWhichIsThenVerifiedInItsReport) {
@@ -115,7 +115,7 @@ TEST_F(Tools, RecordThePinsOfARunWhichIsThenVerifiedInItsReport) {
     take_picture("ports_light");
     ports().record_to(QString::fromStdString(file("run.trace")));
     ASSERT_TRUE(comes_true([&] {
-        return window_->bench().pins.state() == session::PinRecorder::State::recording;
+        return window_->context().pins.state() == session::PinRecorder::State::recording;
     })) << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return button("record_pins").text() == "Stop recording"; }));
     ASSERT_TRUE(click("start"));
@@ -140,12 +140,13 @@ TEST_F(Tools, JudgeARunOfWhichTheWindowSawOnlyTheEnd) {
     const JobTable job = two_process::lobed_job(3, 40);
     open_homed(&job);
     ports().record_to(QString::fromStdString(file("run.trace")));
-    ASSERT_TRUE(
-        comes_true([&] { return window_->bench().pins.state() == session::PinRecorder::State::recording; }));
+    ASSERT_TRUE(comes_true(
+        [&] { return window_->context().pins.state() == session::PinRecorder::State::recording; }));
     ASSERT_TRUE(click("start"));
     // A computer that is busy elsewhere: from the first layer on the window does nothing until the last is
     // carved.
-    ASSERT_TRUE(comes_true([&] { return sight().status->points_done != 0; })) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->points_done != 0; }))
+        << all_messages().toStdString();
     const auto segment = Segment::attach(segment_name_);
     ASSERT_TRUE(segment.has_value());
     const auto given_up = std::chrono::steady_clock::now() + std::chrono::seconds{60};
@@ -164,13 +165,14 @@ TEST_F(Tools, DoNotJudgeARunThatLeavesOutLayers) {
     const JobTable job = two_process::lobed_job(3, 40);
     open_homed(&job);
     ports().record_to(QString::fromStdString(file("part.trace")));
-    ASSERT_TRUE(
-        comes_true([&] { return window_->bench().pins.state() == session::PinRecorder::State::recording; }));
-    window_->bench().machine.start(1);
-    ASSERT_TRUE(comes_true([&] { return sight().status->job_end_tick != 0; }))
+    ASSERT_TRUE(comes_true(
+        [&] { return window_->context().pins.state() == session::PinRecorder::State::recording; }));
+    window_->context().machine.start(1);
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->job_end_tick != 0; }))
         << all_messages().toStdString();
     ASSERT_TRUE(comes_to(S::ready));
-    EXPECT_EQ(window_->bench().pins.state(), session::PinRecorder::State::recording) << "goes on until told";
+    EXPECT_EQ(window_->context().pins.state(), session::PinRecorder::State::recording)
+        << "goes on until told";
     ASSERT_TRUE(click("record_pins"));
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Pins recorded: "); }))
         << all_messages().toStdString();
@@ -187,8 +189,8 @@ TEST_F(Tools, RecordNothingWithoutAJobAndDoNotJudgeAJobThatWasStopped) {
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     ports().record_to(QString::fromStdString(file("half.trace")));
-    ASSERT_TRUE(
-        comes_true([&] { return window_->bench().pins.state() == session::PinRecorder::State::recording; }));
+    ASSERT_TRUE(comes_true(
+        [&] { return window_->context().pins.state() == session::PinRecorder::State::recording; }));
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_to(S::carving));
     ASSERT_TRUE(click("stop"));
@@ -203,11 +205,11 @@ TEST_F(Tools, RecordNothingWithoutAJobAndDoNotJudgeAJobThatWasStopped) {
 TEST_F(Tools, KeepSnapshotJobAndTables) {
     const JobTable job = two_process::lobed_job(3, 40);
     open_homed(&job);
-    session::FileDesk& files = window_->bench().files;
+    session::FileSaver& files = window_->context().files;
     files.save_snapshot(file("kept.snap"));
-    files.save_job(file("kept.psi"), window_->bench().desk.job());
-    files.save_tables(file("kept.csv"), window_->bench().desk.job());
-    files.save_tables(file("nowhere/kept.csv"), window_->bench().desk.job());
+    files.save_job(file("kept.psi"), window_->context().open_job.job());
+    files.save_tables(file("kept.csv"), window_->context().open_job.job());
+    files.save_tables(file("nowhere/kept.csv"), window_->context().open_job.job());
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("Not saved: "); }))
         << all_messages().toStdString();
     const auto snapshot = load_snapshot(file("kept.snap"));
@@ -227,7 +229,7 @@ TEST_F(Tools, ShowWhatKeepsTheTickInTimeAndLookAtThisComputer) {
     start_core();
     open_window();
     show_page(kRealTime);
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     auto& table = part<QTableWidget>("computer_table");
     ASSERT_TRUE(comes_true([&] {
         return part<QLabel>("computer_note").text() == "On the virtual clock nothing has to be in time";
@@ -245,14 +247,15 @@ TEST_F(Tools, GoOnBehindTheCheckpointOfACoreThatIsNoMore) {
     const JobTable job = two_process::long_job();
     open_homed(&job);
     ASSERT_TRUE(click("start"));
-    ASSERT_TRUE(comes_true([&] { return sight().status->layer > 3; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->layer > 3; }));
     core_->send_signal(SIGKILL);
     core_->wait_for_exit();
     start_core();
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard() && sight().status->job_start_tick == 0; }));
-    ASSERT_TRUE(comes_true([&] { return sight().resumable_layer.has_value(); }))
+    ASSERT_TRUE(
+        comes_true([&] { return machine_view().is_heard() && machine_view().status->job_start_tick == 0; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().resumable_layer.has_value(); }))
         << all_messages().toStdString();
-    const std::uint32_t resumable = *sight().resumable_layer;
+    const std::uint32_t resumable = *machine_view().resumable_layer;
     EXPECT_GE(resumable, 3U);
     ASSERT_TRUE(
         comes_true([&] { return part<QSpinBox>("layer").value() == static_cast<int>(resumable) + 1; }));
@@ -264,9 +267,9 @@ TEST_F(Tools, GoOnBehindTheCheckpointOfACoreThatIsNoMore) {
     }));
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
-    window_->bench().machine.start(resumable);
+    window_->context().machine.start(resumable);
     ASSERT_TRUE(comes_to(S::carving)) << all_messages().toStdString();
-    EXPECT_GE(sight().status->layer, resumable - 1);
+    EXPECT_GE(machine_view().status->layer, resumable - 1);
 }
 
 TEST_F(Tools, TakeAPanelOutOfTheWindowAndPutItBack) {
@@ -281,7 +284,7 @@ TEST_F(Tools, TakeAPanelOutOfTheWindowAndPutItBack) {
     const auto from_pulses = pulses(Axis::y);
     ASSERT_TRUE(click("jog_y_up"));
     ASSERT_TRUE(comes_true([&] {
-        return pulses(Axis::y) == from_pulses + 40 && sight().state() == S::ready;
+        return pulses(Axis::y) == from_pulses + 40 && machine_view().state() == S::ready;
     })) << all_messages().toStdString();
     QKeyEvent press{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier};
     QApplication::sendEvent(key.window(), &press);

@@ -27,7 +27,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 using test::WindowRig;
 using S = MachineState;
 
@@ -53,7 +53,7 @@ TEST_F(WindowOnCore, CarvesAlthoughTheFeedIsChangedOnTheWayToTheFirstPoint) {
     int percent = 100;
     ASSERT_TRUE(comes_true([&] {
         slider.setValue(percent = percent == 100 ? 90 : 100);
-        return sight().state() == S::carving;
+        return machine_view().state() == S::carving;
     }));
 }
 
@@ -65,9 +65,9 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
     EXPECT_FALSE(button("start").isEnabled());
     EXPECT_EQ(button("start").toolTip(), "Start: already carving");
     window_->findChild<QSlider*>("override")->setValue(130);
-    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 130; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 130; }));
     ASSERT_TRUE(click("full"));
-    ASSERT_TRUE(comes_true([&] { return sight().status->override_percent == 100; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 100; }));
     ASSERT_TRUE(click("hold"));
     ASSERT_TRUE(comes_to(S::held));
     take_picture("held_light");
@@ -80,7 +80,7 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
     take_picture("alarm_dark");
     EXPECT_EQ(window_->findChild<QLabel*>("alarm_title")->text(), "Emergency stop");
     const int layer = window_->findChild<QSpinBox*>("layer")->value();
-    const CoreStatus& stopped = *sight().status;
+    const CoreStatus& stopped = *machine_view().status;
     EXPECT_EQ(layer,
               static_cast<int>(stopped.points_done / (stopped.points_total / two_process::kLongLayers)) + 1);
     ASSERT_TRUE(click("reset_alarm"));
@@ -89,7 +89,7 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
         << button("start").toolTip().toStdString();
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
-    window_->bench().machine.start(static_cast<std::uint32_t>(layer - 1));
+    window_->context().machine.start(static_cast<std::uint32_t>(layer - 1));
     ASSERT_TRUE(comes_to(S::carving));
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
@@ -105,9 +105,10 @@ TEST_F(WindowOnCore, CarvesLayerAfterLayer) {
     for (const int carved : {1, 2, 3}) {
         EXPECT_EQ(layer->value(), carved);
         ASSERT_TRUE(click("one_layer"));
-        ASSERT_TRUE(comes_true([&] { return sight().state() == S::ready && layer->value() == carved + 1; }))
-            << all_messages().toStdString();
-        EXPECT_EQ(sight().status->points_done, static_cast<std::uint64_t>(carved) * 201);
+        ASSERT_TRUE(comes_true([&] {
+            return machine_view().state() == S::ready && layer->value() == carved + 1;
+        })) << all_messages().toStdString();
+        EXPECT_EQ(machine_view().status->points_done, static_cast<std::uint64_t>(carved) * 201);
     }
     take_picture("one_layer_light");
 }
@@ -116,23 +117,24 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     start_core();
     open_window();
     // What the core accepts before it was heard first is no news.
-    ASSERT_TRUE(comes_true([&] { return sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
     EXPECT_FALSE(button("report_button").isEnabled());
     Snapshot snapshot;
     snapshot.job_blob = job_blob_from_table(two_process::lobed_job(3, 40));
     ASSERT_TRUE(save_snapshot(snapshot, file("short.job")));
     window_->open(QString::fromStdString(file("short.job")));
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     EXPECT_EQ(button("report_button").toolTip(), "Report: no job was started");
-    window_->bench().desk.publish();
-    ASSERT_TRUE(comes_to(DeskState::published));
+    window_->context().open_job.publish();
+    ASSERT_TRUE(comes_to(OpenJobState::published));
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     const auto text = [&](const char* name) { return window_->findChild<QLabel*>(name)->text(); };
     ASSERT_TRUE(comes_true([&] { return text("job_time").endsWith(" planned"); }));
     EXPECT_EQ(text("job_time"), text("reference") + " planned");
     ASSERT_TRUE(click("start"));
-    ASSERT_TRUE(comes_true([&] { return window_->bench().runs.is_over(); })) << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] { return window_->context().runs.is_over(); }))
+        << all_messages().toStdString();
     ASSERT_TRUE(click("report_button"));
     auto* const report = static_cast<ReportDialog*>(window_->findChild<QDialog*>("report"));
     ASSERT_NE(report, nullptr);
@@ -146,7 +148,7 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     EXPECT_GT(object["carve_seconds"].toDouble(), 0.0);
     EXPECT_GT(object["reference_seconds"].toDouble(), 0.0);
     EXPECT_EQ(object["pulses"].toObject()["psi"].toInteger(),
-              static_cast<qint64>(sight().status->emitted_pulses[index_of(Axis::psi)]));
+              static_cast<qint64>(machine_view().status->emitted_pulses[index_of(Axis::psi)]));
     EXPECT_TRUE(object["verified"].isNull());
     auto* const page = static_cast<MessagesPage*>(window_->findChild<QWidget*>("messages_page"));
     page->save_log(QString::fromStdString(file("saved.log")));
@@ -171,20 +173,20 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
     open_window();
     auto* const tabs = window_->findChild<QTabWidget*>();
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     take_picture("model_light");
     window_->findChild<QSpinBox*>("layers")->setValue(120);
     window_->findChild<QSpinBox*>("points")->setValue(100);
     EXPECT_EQ(button("publish").toolTip(), "Publish: there is no job; slice the model first");
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     EXPECT_TRUE(button("start").toolTip().endsWith("is not homed"))
         << button("start").toolTip().toStdString();
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_EQ(button("start").toolTip(), "Start: the job is not published");
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_to(OpenJobState::published));
     tabs->setCurrentIndex(1);
     auto* const slider = window_->findChild<QSlider*>("layer_slider");
     ASSERT_TRUE(comes_true([&] { return slider->maximum() == 120; }));
@@ -193,7 +195,7 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
     take_picture("layers_light");
     ASSERT_TRUE(click("start"));
     tabs->setCurrentIndex(2);
-    ASSERT_TRUE(comes_true([&] { return sight().status->points_done > 6'000; }))
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->points_done > 6'000; }))
         << all_messages().toStdString();
     take_picture("carving_view_light");
     EXPECT_TRUE(window_->findChild<QLabel*>("axis_speed_psi")->text().endsWith(" °/s"));
@@ -217,7 +219,8 @@ TEST_F(WindowOnCore, TakesAModelFromItsFileToACarvedPiece) {
     EXPECT_GT(grey, painted.size() / 10 * 9);
     ASSERT_TRUE(click("colour_done"));
     ASSERT_TRUE(comes_true([&] {
-        return sight().state() == S::ready && sight().status->points_done == sight().status->points_total;
+        return machine_view().state() == S::ready &&
+               machine_view().status->points_done == machine_view().status->points_total;
     })) << all_messages().toStdString();
     window_->set_theme(ThemeChoice::dark);
     ASSERT_TRUE(comes_true([&] { return true; }));
@@ -241,7 +244,7 @@ TEST_F(WindowOnCore, ShowsAFreshBlankWhenItStartsAnew) {
     };
     carve_long_job();
     tabs->setCurrentIndex(2);
-    ASSERT_TRUE(comes_true([&] { return sight().status->layer > 100; }));
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->layer > 100; }));
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
     ASSERT_TRUE(comes_true([&] { return !colours().empty() && colours().front() != colours().back(); }));
@@ -262,11 +265,12 @@ TEST_F(WindowOnCore, JogsAStepOnAClickAndOnAndOnWhileHeld) {
     open_window();
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(S::ready));
-    const auto y_pulses = [&] { return sight().status->position_pulses[index_of(Axis::y)]; };
+    const auto y_pulses = [&] { return machine_view().status->position_pulses[index_of(Axis::y)]; };
     const auto from_pulses = y_pulses();
     ASSERT_TRUE(click("jog_y_up"));
-    ASSERT_TRUE(comes_true([&] { return y_pulses() == from_pulses + 40 && sight().state() == S::ready; }))
-        << all_messages().toStdString();
+    ASSERT_TRUE(comes_true([&] {
+        return y_pulses() == from_pulses + 40 && machine_view().state() == S::ready;
+    })) << all_messages().toStdString();
     button("jog_y_up").setDown(true);
     Q_EMIT button("jog_y_up").pressed();
     ASSERT_TRUE(comes_true([&] { return y_pulses() > from_pulses + 40; })) << all_messages().toStdString();
@@ -291,7 +295,7 @@ TEST_F(WindowOnCore, AsksBeforeItLeavesAMachineAtWork) {
     window_.reset();
     EXPECT_TRUE(reaches(S::carving));
     open_window();  // and finds the job again
-    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_to(OpenJobState::published));
     ASSERT_TRUE(comes_to(S::carving));
     choice = CloseChoice::hold;
     window_->set_close_question([&] { return choice; });
@@ -312,21 +316,21 @@ TEST_F(WindowOnCore, TellsTheRunningJobFromTheOneThatWasSlicedMeanwhile) {
     auto* const tabs = window_->findChild<QTabWidget*>();
     tabs->setCurrentIndex(2);
     carve_long_job();
-    const auto running = window_->bench().desk.core_job();
+    const auto running = window_->context().open_job.core_job();
     ASSERT_NE(running, nullptr);
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     EXPECT_EQ(part<QLabel>("desk_job").text(), "small.stl");
     EXPECT_EQ(part<QLabel>("desk_job_note").text(), "not sliced");
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(DeskState::job));
-    ASSERT_EQ(sight().state(), S::carving) << all_messages().toStdString();
+    ASSERT_TRUE(comes_to(OpenJobState::job));
+    ASSERT_EQ(machine_view().state(), S::carving) << all_messages().toStdString();
     ASSERT_TRUE(comes_true([&] { return part<QLabel>("desk_job_note").text() == "not published"; }));
     EXPECT_TRUE(part<QLabel>("desk_job").isVisible());
     EXPECT_EQ(part<QLabel>("machine_job").text(), "lobed");
     EXPECT_TRUE(part<QLabel>("machine_job_note").text().startsWith("no. 1")) << "how far it is";
-    EXPECT_EQ(window_->bench().desk.core_job(), running);
-    EXPECT_EQ(window_->bench().desk.sight().core_layer_count, two_process::kLongLayers);
+    EXPECT_EQ(window_->context().open_job.core_job(), running);
+    EXPECT_EQ(window_->context().open_job.view().core_layer_count, two_process::kLongLayers);
     auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("carving_view"));
     EXPECT_FALSE(view.picture().bodies.empty());
     take_picture("running_and_next_light");

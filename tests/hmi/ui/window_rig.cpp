@@ -64,18 +64,19 @@ void WindowRig::open_window() {
 }
 
 ::testing::AssertionResult WindowRig::comes_to(MachineState state) {
-    const auto& sight = window_->bench().machine.sight();
-    if (comes_true([&] { return sight.is_heard() && sight.state() == state; }))
+    const auto& view = window_->context().machine.view();
+    if (comes_true([&] { return view.is_heard() && view.state() == state; }))
         return ::testing::AssertionSuccess();
     return ::testing::AssertionFailure()
-           << "state is " << name_of(sight.state()) << all_messages().toStdString();
+           << "state is " << name_of(view.state()) << all_messages().toStdString();
 }
 
-::testing::AssertionResult WindowRig::comes_to(session::DeskState state) {
-    if (comes_true([&] { return window_->bench().desk.sight().state == state; }))
+::testing::AssertionResult WindowRig::comes_to(session::OpenJobState state) {
+    if (comes_true([&] { return window_->context().open_job.view().state == state; }))
         return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << "desk: " << static_cast<int>(window_->bench().desk.sight().state)
-                                         << all_messages().toStdString();
+    return ::testing::AssertionFailure()
+           << "desk: " << static_cast<int>(window_->context().open_job.view().state)
+           << all_messages().toStdString();
 }
 
 QAbstractButton& WindowRig::button(const char* name) {
@@ -118,7 +119,7 @@ QAbstractButton& WindowRig::button(const char* name) {
 
 QString WindowRig::all_messages() const {
     QString text;
-    for (const session::Message& message : window_->bench().log.messages())
+    for (const session::Message& message : window_->context().log.messages())
         text += "\n  " + words(message.what);
     return text;
 }
@@ -128,9 +129,9 @@ void WindowRig::publish_job(const JobTable& table) {
     snapshot.job_blob = job_blob_from_table(table);
     ASSERT_TRUE(save_snapshot(snapshot, file("run.job")));
     window_->open(QString::fromStdString(file("run.job")));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
-    window_->bench().desk.publish();
-    ASSERT_TRUE(comes_to(session::DeskState::published));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
+    window_->context().open_job.publish();
+    ASSERT_TRUE(comes_to(session::OpenJobState::published));
 }
 
 void WindowRig::carve_job(const JobTable& table) {

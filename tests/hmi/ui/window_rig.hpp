@@ -45,7 +45,7 @@ protected:
             limit);
     }
     ::testing::AssertionResult comes_to(MachineState state);
-    ::testing::AssertionResult comes_to(session::DeskState state);
+    ::testing::AssertionResult comes_to(session::OpenJobState state);
     QAbstractButton& button(const char* name);
     /// Waits until it can be pressed, presses it, by the mouse where it is seen, and says why it could not
     /// be.
@@ -53,7 +53,7 @@ protected:
     /// The same, where that asks something that another button answers.
     ::testing::AssertionResult click_and_answer(const char* name, const char* answer);
     QString all_messages() const;
-    const session::MachineSight& sight() { return window_->bench().machine.sight(); }
+    const session::MachineView& machine_view() { return window_->context().machine.view(); }
     /// A widget of the window or of its dialogs.
     template <typename T>
     T& part(const char* name) {

@@ -51,10 +51,10 @@ TEST_F(Window, KeepsTheEmergencyStopInReachOnF1AlsoInADialog) {
     QKeyEvent press{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier};
     QApplication::sendEvent(&dialog, &press);
     EXPECT_TRUE(all_messages().contains("Nobody heard the emergency stop")) << all_messages().toStdString();
-    const auto count = window_->bench().log.count();
+    const auto count = window_->context().log.count();
     QKeyEvent repeated{QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier, QString{}, true};
     QApplication::sendEvent(&dialog, &repeated);
-    EXPECT_EQ(window_->bench().log.count(), count);
+    EXPECT_EQ(window_->context().log.count(), count);
 }
 
 TEST_F(Window, StopsOnPressOfTheBigButtonNotOnItsRelease) {
@@ -92,8 +92,8 @@ TEST_F(Window, StartsNoMotionBySpaceOrEnter) {
         }
     }
     for (int i = 0; i < 50; ++i) {
-        ASSERT_TRUE(comes_true([&] { return window_->bench().machine.sight().is_heard(); }));
-        ASSERT_EQ(window_->bench().machine.sight().state(), MachineState::off);
+        ASSERT_TRUE(comes_true([&] { return window_->context().machine.view().is_heard(); }));
+        ASSERT_EQ(window_->context().machine.view().state(), MachineState::off);
     }
 }
 
@@ -135,7 +135,7 @@ TEST_F(Window, ChangesNoFeedByTheWheel) {
 TEST_F(Window, KeepsItsSafetyOnAVerySmallScreen) {
     start_core();
     open_window();
-    ASSERT_TRUE(comes_true([&] { return window_->bench().machine.sight().is_heard(); }));
+    ASSERT_TRUE(comes_true([&] { return window_->context().machine.view().is_heard(); }));
     window_->resize(640, 360);
     QApplication::processEvents();
     EXPECT_EQ(window_->size(), QSize(640, 360));
@@ -171,7 +171,7 @@ TEST_F(Window, RemembersItsThemeAndItsFilesAndDoesNotMoveAnything) {
     open_window();
     window_->set_theme(ThemeChoice::dark);
     window_->open(QString::fromStdString(example("small.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     window_->close();
     window_.reset();
     const test::KeptSettings settings;
@@ -208,7 +208,7 @@ TEST_F(Window, ShowsTheBlankAndWhatTheHeadsCannotReach) {
     const auto* const legend = view.findChild<QLabel*>("legend");
     EXPECT_TRUE(legend->text().contains("undercut about ")) << legend->text().toStdString();
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(session::DeskState::job));
+    ASSERT_TRUE(comes_to(session::OpenJobState::job));
     ASSERT_TRUE(comes_true([&] { return warnings->count() > 0 && warnings->isVisible(); }));
     EXPECT_TRUE(warnings->item(0)->text().contains("cannot be reached"));
     // One figure, wherever it stands.
@@ -223,7 +223,7 @@ TEST_F(Window, ShowsTheBlankAndWhatTheHeadsCannotReach) {
 TEST_F(Window, DrawsCoarselyWhileTheModelIsTurnedAndFinelyAfterwards) {
     open_window();
     window_->open(QString::fromStdString(example("figurine.stl")));
-    ASSERT_TRUE(comes_to(session::DeskState::model));
+    ASSERT_TRUE(comes_to(session::OpenJobState::model));
     auto& view = *static_cast<MeshView*>(window_->findChild<QWidget*>("model_view"));
     ASSERT_TRUE(comes_true([&] { return !view.picture().bodies.empty(); }));
     const double before_rad = view.picture().view.azimuth_rad;

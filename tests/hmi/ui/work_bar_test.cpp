@@ -25,7 +25,7 @@
 namespace psicarve::ui {
 namespace {
 
-using session::DeskState;
+using session::OpenJobState;
 
 class UnfinishedWorks : public test::WindowRig {
 protected:
@@ -58,18 +58,18 @@ protected:
     }
     bool opens_and_slices() {
         window_->open(QString::fromStdString(path_));
-        if (!comes_to(DeskState::model)) return false;
+        if (!comes_to(OpenJobState::model)) return false;
         part<QSpinBox>("layers").setValue(17);
         part<QSpinBox>("points").setValue(24);
-        if (!click("slice") || !comes_to(DeskState::job)) return false;
+        if (!click("slice") || !comes_to(OpenJobState::job)) return false;
         return comes_true(
             [] { return !read().isEmpty() && read().first().toMap().value("sliced").toBool(); });
     }
     static QVariantMap read() { return test::KeptStore{}.store.value(WorkKeeper::kKey).toMap(); }
     static void put(const QVariantMap& all) { test::KeptStore{}.store.set(WorkKeeper::kKey, all); }
     /// As the window has them by now, whether they are in the file or not.
-    QVariantMap records() { return window_->bench().settings->value(WorkKeeper::kKey).toMap(); }
-    DeskState desk_state() { return window_->bench().desk.sight().state; }
+    QVariantMap records() { return window_->context().settings->value(WorkKeeper::kKey).toMap(); }
+    OpenJobState desk_state() { return window_->context().open_job.view().state; }
     /// What is done unasked is done by then.
     void look_on() {
         constexpr int kLooks = 20;
@@ -88,12 +88,12 @@ TEST_F(UnfinishedWorks, AreTakenUpAsTheyWere) {
     ASSERT_TRUE(comes_true([this] { return is_offered(); }));
     EXPECT_EQ(part<QLabel>("work_offer").text(), "Take up again: piece.stl, 17 layers × 24 points, sliced");
     EXPECT_TRUE(all_messages().contains("Not published when a window ended: piece.stl"));
-    EXPECT_EQ(window_->bench().desk.sight().state, DeskState::empty) << "nothing is done unasked";
+    EXPECT_EQ(window_->context().open_job.view().state, OpenJobState::empty) << "nothing is done unasked";
     take_picture("unfinished_light");
     ASSERT_TRUE(click("work_take"));
-    ASSERT_TRUE(comes_to(DeskState::job));
-    EXPECT_EQ(window_->bench().desk.job()->view.layer_count(), 17U);
-    EXPECT_EQ(window_->bench().desk.job()->view.point_count(), 24U);
+    ASSERT_TRUE(comes_to(OpenJobState::job));
+    EXPECT_EQ(window_->context().open_job.job()->view.layer_count(), 17U);
+    EXPECT_EQ(window_->context().open_job.job()->view.point_count(), 24U);
     EXPECT_FALSE(is_offered());
     // It is this window's now.
     ASSERT_TRUE(comes_true([] { return read().size() == 1 && !read().contains("gone"); }));
@@ -116,9 +116,9 @@ TEST_F(UnfinishedWorks, OfAFileThatChangedAreNotSliced) {
     EXPECT_TRUE(part<QLabel>("work_note").text().contains("was written since"));
     ASSERT_TRUE(click("work_take"));
     ASSERT_TRUE(comes_true([this] { return part<QSpinBox>("layers").value() == 17 && !is_offered(); }));
-    EXPECT_TRUE(comes_to(DeskState::model));
+    EXPECT_TRUE(comes_to(OpenJobState::model));
     for (int i = 0; i < 20; ++i) window_->refresh();
-    EXPECT_EQ(window_->bench().desk.sight().state, DeskState::model);
+    EXPECT_EQ(window_->context().open_job.view().state, OpenJobState::model);
 }
 
 TEST_F(UnfinishedWorks, OfAFileThatIsGoneCanOnlyBeForgotten) {
@@ -158,13 +158,13 @@ TEST_F(UnfinishedWorks, AreNoneOncePublishedOrSaved) {
     open_window();
     ASSERT_TRUE(opens_and_slices());
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_to(OpenJobState::published));
     EXPECT_TRUE(comes_true([] { return read().isEmpty(); }));
     part<QSpinBox>("layers").setValue(18);
     ASSERT_TRUE(click("slice"));
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     ASSERT_TRUE(comes_true([] { return read().size() == 1; }));
-    window_->bench().files.save_job(folder_.path("kept.psi"), window_->bench().desk.job());
+    window_->context().files.save_job(folder_.path("kept.psi"), window_->context().open_job.job());
     EXPECT_TRUE(comes_true([] { return read().isEmpty(); }));
 }
 
@@ -179,7 +179,7 @@ TEST_F(UnfinishedWorks, OfAnotherOfTheSameProcessNumberStay) {
     put(all);
     open_window();
     window_->open(QString::fromStdString(example("letter.stl")));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     look_on();
     EXPECT_EQ(records().size(), kMostWindows + 1);
     window_->close();
@@ -195,7 +195,7 @@ TEST_F(UnfinishedWorks, AreNeverWithoutARecordWhileTakenUp) {
     int without = 0;
     ASSERT_TRUE(comes_true([&] {
         without += records().isEmpty() ? 1 : 0;
-        return desk_state() == DeskState::job;
+        return desk_state() == OpenJobState::job;
     }));
     EXPECT_EQ(without, 0);
     EXPECT_EQ(part<QDoubleSpinBox>("turn_x").value(), 90.0);
@@ -211,21 +211,21 @@ TEST_F(UnfinishedWorks, AreOfferedStillWhenTurningThemIsCancelled) {
     // Look by look, without the window's own clock: the look after the one that begins the turn may end it.
     ASSERT_TRUE(eventually([this] {
         window_->refresh();
-        return part<QCheckBox>("turn").isChecked() && desk_state() == DeskState::opening;
+        return part<QCheckBox>("turn").isChecked() && desk_state() == OpenJobState::opening;
     }));
-    window_->bench().desk.cancel();
-    ASSERT_TRUE(comes_to(DeskState::empty));
+    window_->context().open_job.cancel();
+    ASSERT_TRUE(comes_to(OpenJobState::empty));
     look_on();
     EXPECT_TRUE(is_offered());
     EXPECT_TRUE(records().contains("gone"));
     // By hand it is not sliced unasked.
     window_->open(QString::fromStdString(path_));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     look_on();
-    EXPECT_EQ(desk_state(), DeskState::model);
+    EXPECT_EQ(desk_state(), OpenJobState::model);
     EXPECT_TRUE(is_offered());
     ASSERT_TRUE(click("work_take"));
-    EXPECT_TRUE(comes_to(DeskState::job));
+    EXPECT_TRUE(comes_to(OpenJobState::job));
     EXPECT_FALSE(is_offered());
 }
 
@@ -235,13 +235,13 @@ TEST_F(UnfinishedWorks, AreOfferedStillWhenOpeningThemIsCancelled) {
     part<QSpinBox>("layers").setValue(400);
     ASSERT_TRUE(comes_true([this] { return is_offered(); }));
     ASSERT_TRUE(click("work_take"));
-    window_->bench().desk.cancel();
-    ASSERT_TRUE(comes_to(DeskState::empty));
+    window_->context().open_job.cancel();
+    ASSERT_TRUE(comes_to(OpenJobState::empty));
     look_on();
     window_->open(QString::fromStdString(path_));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     look_on();
-    EXPECT_EQ(desk_state(), DeskState::model);
+    EXPECT_EQ(desk_state(), OpenJobState::model);
     EXPECT_EQ(part<QSpinBox>("layers").value(), 400);
     EXPECT_TRUE(is_offered());
 }
@@ -254,9 +254,9 @@ TEST_F(UnfinishedWorks, OfAFileThatChangesWhileOfferedAreNotSliced) {
                                std::filesystem::copy_options::overwrite_existing);
     ASSERT_TRUE(click("work_take"));
     ASSERT_TRUE(comes_true([this] { return part<QSpinBox>("layers").value() == 17 && !is_offered(); }));
-    ASSERT_TRUE(comes_to(DeskState::model));
+    ASSERT_TRUE(comes_to(OpenJobState::model));
     look_on();
-    EXPECT_EQ(desk_state(), DeskState::model);
+    EXPECT_EQ(desk_state(), OpenJobState::model);
 }
 
 // On a stick that is plugged in later.
@@ -274,7 +274,7 @@ TEST_F(UnfinishedWorks, OfAFileThatComesBackCanBeTakenUp) {
     ASSERT_TRUE(comes_true([this] { return !button("work_take").isEnabled(); }));
     std::filesystem::rename(away, path_);
     ASSERT_TRUE(click("work_take"));
-    EXPECT_TRUE(comes_to(DeskState::job));
+    EXPECT_TRUE(comes_to(OpenJobState::job));
 }
 
 TEST_F(UnfinishedWorks, AreNoneOncePublishedThoughTheCoreEnds) {
@@ -282,10 +282,10 @@ TEST_F(UnfinishedWorks, AreNoneOncePublishedThoughTheCoreEnds) {
     open_window();
     ASSERT_TRUE(opens_and_slices());
     ASSERT_TRUE(click("publish"));
-    ASSERT_TRUE(comes_to(DeskState::published));
+    ASSERT_TRUE(comes_to(OpenJobState::published));
     ASSERT_TRUE(comes_true([this] { return records().isEmpty(); }));
     core_.reset();
-    ASSERT_TRUE(comes_to(DeskState::job));
+    ASSERT_TRUE(comes_to(OpenJobState::job));
     look_on();
     EXPECT_TRUE(records().isEmpty());
     part<QSpinBox>("layers").setValue(18);
@@ -296,9 +296,9 @@ TEST_F(UnfinishedWorks, ThatAreSavedAreNotHeldInMemory) {
     open_window();
     ASSERT_TRUE(opens_and_slices());
     cam::PreparedJob copy;
-    copy.blob = window_->bench().desk.job()->blob;
+    copy.blob = window_->context().open_job.job()->blob;
     auto job = std::make_shared<const cam::PreparedJob>(std::move(copy));
-    session::FileDesk& files = window_->bench().files;
+    session::FileSaver& files = window_->context().files;
     files.save_job(folder_.path("kept.psi"), job);
     ASSERT_TRUE(comes_true([&] { return files.saved_job() == job; }));
     job.reset();
@@ -315,13 +315,13 @@ TEST_F(UnfinishedWorks, AreOpenedAsEveryFileIs) {
     button("work_take").click();
     EXPECT_TRUE(all_messages().contains("the machine's profile is still being read"))
         << all_messages().toStdString();
-    EXPECT_EQ(desk_state(), DeskState::empty);
+    EXPECT_EQ(desk_state(), OpenJobState::empty);
     ASSERT_TRUE(comes_true([this] { return all_messages().contains("none.toml"); }));
     look_on();
     ASSERT_TRUE(is_offered());
     ASSERT_TRUE(click("work_take"));
-    ASSERT_TRUE(comes_to(DeskState::job));
-    EXPECT_EQ(WindowSettings{*window_->bench().settings}.recent_files(),
+    ASSERT_TRUE(comes_to(OpenJobState::job));
+    EXPECT_EQ(WindowSettings{*window_->context().settings}.recent_files(),
               QStringList{QString::fromStdString(path_)});
 }
 

@@ -17,7 +17,7 @@
 namespace psicarve::verify {
 namespace {
 
-using Side = StateFlank::Side;
+using Side = ReachBoundary::Side;
 
 class StateDice {
 public:
@@ -38,11 +38,11 @@ MotorLimits some_limits(StateDice& dice) {
     return limits;
 }
 
-std::vector<double> numbers_of(const StateFlank& flank) {
+std::vector<double> numbers_of(const ReachBoundary& boundary) {
     std::vector<double> numbers;
-    for (std::size_t i = 0; i < flank.size(); ++i) {
-        numbers.push_back(flank.speed(i));
-        numbers.push_back(flank.reach(i));
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+        numbers.push_back(boundary.speed(i));
+        numbers.push_back(boundary.reach(i));
     }
     return numbers;
 }
@@ -52,7 +52,7 @@ std::vector<double> numbers_of(const MotorReach& reach) {
     std::vector<double> numbers{reach.slow().low, reach.slow().high, reach.is_running_only() ? 1.0 : 0.0};
     for (const bool is_upward : {true, false}) {
         for (const Side side : {Side::left, Side::right}) {
-            const auto more = numbers_of(reach.running(is_upward).flank(side));
+            const auto more = numbers_of(reach.running(is_upward).boundary(side));
             numbers.insert(numbers.end(), more.begin(), more.end());
         }
     }
@@ -73,29 +73,30 @@ StateSet some_states(StateDice& dice, const MotorLimits& limits) {
     return set;
 }
 
-double reach_at(const StateFlank& flank, double speed) {
+double reach_at(const ReachBoundary& boundary, double speed) {
     std::size_t i = 1;
-    while (i < flank.size() && flank.speed(i) < speed) ++i;
-    if (i >= flank.size() || speed <= flank.slowest())
-        return flank.reach(speed <= flank.slowest() ? 0 : flank.size() - 1);
-    const double share = (speed - flank.speed(i - 1)) / (flank.speed(i) - flank.speed(i - 1));
-    return flank.reach(i - 1) + share * (flank.reach(i) - flank.reach(i - 1));
+    while (i < boundary.size() && boundary.speed(i) < speed) ++i;
+    if (i >= boundary.size() || speed <= boundary.slowest())
+        return boundary.reach(speed <= boundary.slowest() ? 0 : boundary.size() - 1);
+    const double share = (speed - boundary.speed(i - 1)) / (boundary.speed(i) - boundary.speed(i - 1));
+    return boundary.reach(i - 1) + share * (boundary.reach(i) - boundary.reach(i - 1));
 }
 
-/// By how much the hull of two flanks reaches further than both, at the corners and half-way between them.
-double looseness(const StateFlank& hull, const StateFlank& a, const StateFlank& b) {
+/// By how much the hull of two boundaries reaches further than both, at the corners and half-way between
+/// them.
+double looseness(const ReachBoundary& hull, const ReachBoundary& a, const ReachBoundary& b) {
     std::vector<double> speeds;
-    for (const StateFlank* flank : {&a, &b}) {
-        for (std::size_t i = 0; i < flank->size(); ++i) speeds.push_back(flank->speed(i));
+    for (const ReachBoundary* boundary : {&a, &b}) {
+        for (std::size_t i = 0; i < boundary->size(); ++i) speeds.push_back(boundary->speed(i));
     }
     std::ranges::sort(speeds);
     for (std::size_t i = speeds.size(); i-- > 1;) speeds.push_back(0.5 * (speeds[i - 1] + speeds[i]));
     double most = 0.0;
     for (const double speed : speeds) {
         double reached = -1e9;
-        for (const StateFlank* flank : {&a, &b}) {
-            if (speed >= flank->slowest() && speed <= flank->fastest())
-                reached = std::max(reached, reach_at(*flank, speed));
+        for (const ReachBoundary* boundary : {&a, &b}) {
+            if (speed >= boundary->slowest() && speed <= boundary->fastest())
+                reached = std::max(reached, reach_at(*boundary, speed));
         }
         most = std::max(most, reach_at(hull, speed) - reached);
     }
@@ -123,14 +124,14 @@ TEST(StateSetTest, IsJoinedWhereTheHullIsTightAndNowhereElse) {
         hull.join(other);
         double loose = 0.0;
         for (const Side side : {Side::left, Side::right})
-            loose = std::max(loose, looseness(hull.flank(side), sut.flank(side), other.flank(side)));
+            loose = std::max(loose, looseness(hull.boundary(side), sut.boundary(side), other.boundary(side)));
         if (std::abs(loose - kTolerance_pulses) < kUndecided_pulses) continue;
         const bool is_tight = loose < kTolerance_pulses;
         (is_tight ? joined : kept_apart) += 1;
         const StateSet before = sut;
         ASSERT_EQ(sut.try_join(other, kTolerance_pulses), is_tight) << "round " << round << ", " << loose;
         for (const Side side : {Side::left, Side::right})
-            ASSERT_EQ(numbers_of(sut.flank(side)), numbers_of((is_tight ? hull : before).flank(side)));
+            ASSERT_EQ(numbers_of(sut.boundary(side)), numbers_of((is_tight ? hull : before).boundary(side)));
     }
     EXPECT_GT(joined, 1000U);
     EXPECT_GT(kept_apart, 1000U);

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/verify/motor/pulse_train.hpp"
 #include "hmi/verify/motor/train_demand.hpp"
+#include "hmi/verify/motor/train_follower.hpp"
 #include "shared/profile/profile.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
 #include "tests/places.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/verify/motor/pulse_train.hpp"
+#include "hmi/verify/motor/train_follower.hpp"
 #include "shared/base/units.hpp"
 #include "tests/hmi/verify/exact_motion.hpp"
 

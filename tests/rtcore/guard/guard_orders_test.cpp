@@ -126,7 +126,7 @@ private:
         // No driver of a port: each write fails.
         const port::SafeState silent{port::PortAccess::ppdev(open("/dev/null", O_WRONLY | O_CLOEXEC)),
                                      PinMap::from_profile(Profile{}).value()};
-        auto side = part_from_guard({.safe_state = silent, .segment_name = "none", .group = ""});
+        auto side = fork_guard({.safe_state = silent, .segment_name = "none", .group = ""});
         if (!side) _exit(1);
         if (const int* const exit_code = std::get_if<int>(&*side)) _exit(*exit_code);
         prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -71,7 +71,7 @@ MachineLimits machine_of(const std::string& example_name) {
     return machine_limits(load_profile(example(example_name)).value());
 }
 
-/// Flanks of a few points each, one way and the other, and noise of some pulses.
+/// Boundaries of a few points each, one way and the other, and noise of some pulses.
 std::vector<PathPoint> jagged_points(std::uint64_t seed, std::int64_t psi_step) {
     std::mt19937_64 random{seed};
     std::vector<PathPoint> points;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "rtcore/journal/journal_desk.hpp"
+#include "rtcore/journal/journal_writer.hpp"
 #include "shared/computer/process_identity.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
@@ -46,9 +46,9 @@ bool is_once(const std::string& text, const std::string& words) {
     return text.find(words) != std::string::npos && text.find(words) == text.rfind(words);
 }
 
-class JournalDeskTest : public ::testing::Test {
+class JournalWriterTest : public ::testing::Test {
 protected:
-    void write(JournalDesk& sut, const std::string& what) {
+    void write(JournalWriter& sut, const std::string& what) {
         sut.note_given();
         sut.write(core_record(what));
     }
@@ -84,9 +84,9 @@ protected:
 };
 using Words = std::vector<std::string>;
 
-TEST_F(JournalDeskTest, NumbersGoOnOverRestarts) {
+TEST_F(JournalWriterTest, NumbersGoOnOverRestarts) {
     for (int run = 0; run < 3; ++run) {
-        JournalDesk sut{place_};
+        JournalWriter sut{place_};
         write(sut, "start");
         write(sut, "end");
     }
@@ -98,47 +98,47 @@ TEST_F(JournalDeskTest, NumbersGoOnOverRestarts) {
     }
 }
 
-TEST_F(JournalDeskTest, AStartTellsHowTheRunBeforeEnded) {
+TEST_F(JournalWriterTest, AStartTellsHowTheRunBeforeEnded) {
     {
-        JournalDesk sut{place_};
+        JournalWriter sut{place_};
         write(sut, "start");
         EXPECT_EQ(before_of_last_start(), "none");
     }
     {
-        JournalDesk sut{place_};
+        JournalWriter sut{place_};
         write(sut, "start");
         EXPECT_EQ(before_of_last_start(), "killed");
         write(sut, "end");
     }
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     EXPECT_EQ(before_of_last_start(), "in order");
 }
 
-TEST_F(JournalDeskTest, AnotherBootIsAComputerThatWasStartedAgain) {
+TEST_F(JournalWriterTest, AnotherBootIsAComputerThatWasStartedAgain) {
     keep(core_of("start", 4, "another"));
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     EXPECT_EQ(before_of_last_start(), "no end, started again");
     EXPECT_EQ(records().back().run, 5U);
 }
 
-TEST_F(JournalDeskTest, TheEndOfAnotherRunEndsNone) {
+TEST_F(JournalWriterTest, TheEndOfAnotherRunEndsNone) {
     keep(core_of("start", 4, current_boot_id()));
     keep(core_of("start", 5, current_boot_id()));
     keep(core_of("end", 4, ""));
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     EXPECT_EQ(before_of_last_start(), "killed");
     EXPECT_EQ(records().back().run, 6U);
 }
 
-TEST_F(JournalDeskTest, ARunWhoseStartIsGoneIsOneAllTheSame) {
+TEST_F(JournalWriterTest, ARunWhoseStartIsGoneIsOneAllTheSame) {
     keep(core_of("start", 4, current_boot_id()));
     keep(core_of("end", 4, ""));
     keep(core_of("missed ticks", 7, ""));
     {
-        JournalDesk sut{place_};
+        JournalWriter sut{place_};
         write(sut, "start");
         EXPECT_EQ(before_of_last_start(), "no end");
         EXPECT_EQ(records().back().run, 8U);
@@ -146,31 +146,31 @@ TEST_F(JournalDeskTest, ARunWhoseStartIsGoneIsOneAllTheSame) {
     }
     fs::remove(files_.newer);
     keep(core_of("end", 8, ""));
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     EXPECT_EQ(before_of_last_start(), "in order");
     EXPECT_EQ(records().back().run, 9U);
 }
 
-TEST_F(JournalDeskTest, WhatCannotBeReadIsNotTheFirstOne) {
+TEST_F(JournalWriterTest, WhatCannotBeReadIsNotTheFirstOne) {
     fs::create_directories(place_.folder);
     const std::string other = folder_.path("other");
     std::ofstream{other} << journal_line(core_of("start", 4, ""));
     fs::create_symlink(other, files_.older);
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     EXPECT_EQ(before_of_last_start(), "unknown");
     EXPECT_EQ(records().back().run, 1U);
 }
 
-TEST_F(JournalDeskTest, AnothersFileTakesNoHistoryAway) {
+TEST_F(JournalWriterTest, AnothersFileTakesNoHistoryAway) {
     keep(core_of("start", 4, ""));
     fs::rename(files_.newer, files_.older);
     const std::string other = folder_.path("other");
     std::ofstream{other} << "another's\n";
     fs::create_hard_link(other, files_.newer);
     const auto older_bytes = fs::file_size(files_.older);
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     ::testing::internal::CaptureStderr();
     write(sut, "start");
     write(sut, "end");
@@ -184,9 +184,9 @@ TEST_F(JournalDeskTest, AnothersFileTakesNoHistoryAway) {
     EXPECT_EQ(whats(), (Words{"start", "not written", "end"}));
 }
 
-TEST_F(JournalDeskTest, AFolderUnderTheNameIsToldOnceAndLeftAlone) {
+TEST_F(JournalWriterTest, AFolderUnderTheNameIsToldOnceAndLeftAlone) {
     fs::create_directories(files_.newer);
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     ::testing::internal::CaptureStderr();
     write(sut, "start");
     write(sut, "end");
@@ -195,8 +195,8 @@ TEST_F(JournalDeskTest, AFolderUnderTheNameIsToldOnceAndLeftAlone) {
     EXPECT_TRUE(is_once(said, "is not written down")) << said;
 }
 
-TEST_F(JournalDeskTest, WhatIsWrittenButNotSyncedIsNotLost) {
-    JournalDesk sut{place_};
+TEST_F(JournalWriterTest, WhatIsWrittenButNotSyncedIsNotLost) {
+    JournalWriter sut{place_};
     does_sync_fail = true;
     ::testing::internal::CaptureStderr();
     write(sut, "start");
@@ -208,22 +208,22 @@ TEST_F(JournalDeskTest, WhatIsWrittenButNotSyncedIsNotLost) {
     EXPECT_TRUE(is_once(said, "may be lost at a power cut")) << said;
 }
 
-TEST_F(JournalDeskTest, ATornEndHidesNothing) {
+TEST_F(JournalWriterTest, ATornEndHidesNothing) {
     {
-        JournalDesk sut{place_};
+        JournalWriter sut{place_};
         write(sut, "start");
         write(sut, "missed ticks");
     }
     fs::resize_file(files_.newer, fs::file_size(files_.newer) - 3);
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     EXPECT_EQ(whats(), (Words{"start", "start"}));
     EXPECT_EQ(before_of_last_start(), "killed");
 }
 
-TEST_F(JournalDeskTest, TwoFilesOfSoMuchAtMostAreKept) {
+TEST_F(JournalWriterTest, TwoFilesOfSoMuchAtMostAreKept) {
     constexpr std::uint64_t kMost = 2000;
-    JournalDesk sut{place_, kMost};
+    JournalWriter sut{place_, kMost};
     for (int i = 0; i < 200; ++i) write(sut, "missed ticks");
     EXPECT_LE(fs::file_size(files_.newer), kMost);
     EXPECT_LE(fs::file_size(files_.older), kMost);
@@ -233,9 +233,9 @@ TEST_F(JournalDeskTest, TwoFilesOfSoMuchAtMostAreKept) {
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].sequence, 200 - all.size() + 1 + i);
 }
 
-TEST_F(JournalDeskTest, EverybodyMayReadIt) {
+TEST_F(JournalWriterTest, EverybodyMayReadIt) {
     const mode_t before = ::umask(0077);
-    JournalDesk sut{place_};
+    JournalWriter sut{place_};
     write(sut, "start");
     ::umask(before);
     struct stat facts {};
@@ -245,13 +245,13 @@ TEST_F(JournalDeskTest, EverybodyMayReadIt) {
     EXPECT_EQ(facts.st_mode & 0777U, 0755U);
 }
 
-TEST_F(JournalDeskTest, WritesThroughNoLinkAndIntoNoPipe) {
+TEST_F(JournalWriterTest, WritesThroughNoLinkAndIntoNoPipe) {
     fs::create_directories(place_.folder);
     const std::string other = folder_.path("other");
     std::ofstream{other} << "mine\n";
     fs::create_symlink(other, files_.newer);
     {
-        JournalDesk sut{place_};
+        JournalWriter sut{place_};
         write(sut, "start");
     }
     EXPECT_EQ(fs::file_size(other), 5U);
@@ -259,19 +259,19 @@ TEST_F(JournalDeskTest, WritesThroughNoLinkAndIntoNoPipe) {
     // A second name of it is another's, too.
     fs::remove(files_.newer);
     fs::create_hard_link(other, files_.newer);
-    JournalDesk linked{place_};
+    JournalWriter linked{place_};
     write(linked, "start");
     EXPECT_EQ(fs::file_size(other), 5U);
     fs::remove(files_.newer);
     fs::remove(files_.older);
     ASSERT_EQ(::mkfifo(files_.newer.c_str(), 0600), 0);
-    JournalDesk piped{place_};
+    JournalWriter piped{place_};
     write(piped, "start");
     EXPECT_TRUE(fs::is_regular_file(files_.newer));
 }
 
-TEST_F(JournalDeskTest, AFullDiskIsCountedAndToldOfOnceThereIsRoom) {
-    JournalDesk sut{place_};
+TEST_F(JournalWriterTest, AFullDiskIsCountedAndToldOfOnceThereIsRoom) {
+    JournalWriter sut{place_};
     write(sut, "start");
     signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
@@ -295,8 +295,8 @@ TEST_F(JournalDeskTest, AFullDiskIsCountedAndToldOfOnceThereIsRoom) {
     EXPECT_EQ(whats(), (Words{"start", "not written", "end", "end"}));
 }
 
-TEST_F(JournalDeskTest, GoesOnWhereItsFilesWereTakenAway) {
-    JournalDesk sut{place_};
+TEST_F(JournalWriterTest, GoesOnWhereItsFilesWereTakenAway) {
+    JournalWriter sut{place_};
     write(sut, "start");
     fs::remove_all(place_.folder);
     write(sut, "end");
@@ -335,7 +335,7 @@ TEST(JournalAllowance, AFloodOfADayIsAFewMegabytes) {
     EXPECT_LT((written + told) * 300, kMostJournalBytes);
 }
 
-class JournalTest : public JournalDeskTest {
+class JournalTest : public JournalWriterTest {
 protected:
     JournalStart start() const { return {place_, 0x1234, "sim", true}; }
 };

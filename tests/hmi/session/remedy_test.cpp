@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hmi/cam/job_builder.hpp"
+#include "shared/base/message_text.hpp"
 #include "shared/wording/wording.hpp"
 #include "tests/hmi/model/shapes.hpp"
 

@@ -106,8 +106,19 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
     cells_of(nodes, fit.control(), cells, cell_at);
     const std::vector<PathSpan> before = wide;
     std::vector<std::uint32_t> narrowed;
-    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, wide, narrowed);
+    std::vector<std::uint32_t> stuck;
+    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, wide, narrowed,
+                         stuck);
     EXPECT_EQ(narrowed, (std::vector<std::uint32_t>{5, 6}));
+    EXPECT_TRUE(stuck.empty());
+    // Bands that are as narrow as they may be make nothing of it but that the curve is outside.
+    std::vector<PathSpan> least = spans;
+    for (const std::size_t span : {5U, 6U}) least[span].band[0] = kLeastBandPulses;
+    narrowed.clear();
+    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, least, narrowed,
+                         stuck);
+    EXPECT_TRUE(narrowed.empty());
+    EXPECT_EQ(stuck, (std::vector<std::uint32_t>{5, 6}));
     for (std::size_t span = 0; span < spans.size(); ++span) {
         if (span == 5 || span == 6) {
             EXPECT_LT(wide[span].band[0], before[span].band[0]) << span;

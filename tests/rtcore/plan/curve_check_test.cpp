@@ -129,6 +129,20 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
     }
 }
 
+TEST(CurveNodes, AreFourASpanBesideASharpCornerAndTwoElsewhere) {
+    const MachineLimits limits = fine_limits();
+    std::vector<std::array<std::int64_t, 2>> ways;
+    for (std::int64_t i = 0; i < 7; ++i) ways.push_back({128 * i, 40'000});
+    const auto points = points_of(ways);
+    const std::vector<PathSpan> spans = path_spans(limits, points);
+    std::vector<PathCorner> corners(5, PathCorner{false, false, false, 1.0});
+    corners[2].is_sharp = true;
+    const CurveNodes nodes = curve_nodes(limits, points, spans, corners, 0, 6);
+    std::array<int, 6> count{};
+    for (std::size_t j = 0; j + 1 < nodes.span_at.size(); ++j) ++count.at(nodes.span_at[j]);
+    EXPECT_EQ(count, (std::array{2, 2, 4, 4, 2, 2}));
+}
+
 // One axis needs three times the iterations of the table: the table's own must not be driven on meanwhile
 // until nothing of them can be represented.
 TEST(CurveCheck, OfAxesThatTakeUnequalEffortNoneIsLost) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rtcore/plan/path.hpp"
+#include "rtcore/plan/path_pieces.hpp"
 #include "rtcore/plan/speed_profile.hpp"
 
 namespace psicarve::plan {
@@ -17,7 +18,19 @@ namespace psicarve::plan {
 /// The curve of least bending bends most in the midst of a turn, and that alone decides how fast all of the
 /// turn is passed. With these weights, between 1/4 and 1, it bends more evenly. The result is the share of
 /// the time in which an axis is at its acceleration, or nearly: no more than that can be gained from.
+/// It is none where nothing bends to speak of: an axis alone is never faster than on the straight way.
 double weigh_bending(std::span<const PathCell> cells, std::span<const double> speed2, const Lanes& accel,
                      std::vector<Lanes>& weights);
+
+/// What has become of a curve.
+struct FittedTimes {
+    bool is_within = false;  ///< its tube, everywhere
+    Timings seconds{};
+};
+
+/// Whether a curve that bends evenly is to replace the one of least bending: never if it is not within its
+/// tube; otherwise if the other one is not, or if it is faster by what the cuts of more bending cost, and not
+/// slower at twice the feed.
+bool is_worthwhile(const FittedTimes& even, const FittedTimes& least_bent) noexcept;
 
 }  // namespace psicarve::plan

@@ -91,6 +91,7 @@ public:
         }
     }
 
+    bool is_outside() const { return excess_[0] > 1.0 || excess_[1] > 1.0 || turn_back_ > kMostTurnPulses; }
     bool narrow() {
         bool narrowed = false;
         for (std::size_t head = 0; head < kHeads; ++head) {
@@ -140,7 +141,7 @@ private:
 PSICARVE_FOR_WIDE_REGISTERS
 void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
                           const FittedCurve& curve, const NodeRange& range, std::span<PathSpan> spans,
-                          std::vector<std::uint32_t>& narrowed) {
+                          std::vector<std::uint32_t>& narrowed, std::vector<std::uint32_t>& stuck) {
     const CurveNodes& nodes = curve.nodes;
     std::optional<SpanWatch> watch;
     for (std::size_t j = range.first; j <= range.last; ++j) {
@@ -150,7 +151,7 @@ void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint
             begin = j > 0 ? 0.5 * nodes.step[j - 1] : 0.0;
             if (j > range.first) {
                 watch->watch(cell, curve.cell_at[j], 0.0, begin);
-                if (watch->narrow()) narrowed.push_back(nodes.span_at[j - 1]);
+                if (watch->is_outside()) (watch->narrow() ? narrowed : stuck).push_back(nodes.span_at[j - 1]);
             }
             if (j == range.last) break;
             const std::uint32_t span = nodes.span_at[j];

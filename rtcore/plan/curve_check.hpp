@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,9 +31,10 @@ struct NodeRange {
 ///     rounded to whole pulses, or
 ///   - the table turns back by more than a rounding.
 /// Appends those that were narrowed to `narrowed`, upwards: there the curve has to be fitted again. A band
-/// that is as narrow as it may be stays as it is.
+/// that is as narrow as it may be stays as it is: spans outside of which none could be narrowed go to
+/// `stuck`.
 void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
                           const FittedCurve& curve, const NodeRange& range, std::span<PathSpan> spans,
-                          std::vector<std::uint32_t>& narrowed);
+                          std::vector<std::uint32_t>& narrowed, std::vector<std::uint32_t>& stuck);
 
 }  // namespace psicarve::plan

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kMostNodesToTheMiddle = 14;
 // Where a tight corner is, this many steps make up each half of the turn.
 constexpr double kStepsInATurn = 2.0;
-// Where a turn takes all the room that it has, it is to bend evenly.
+// Where a turn takes all the room that it has, it is to bend evenly. Steps of a third of a span at most, one
+// of which ends in its middle, make four of them.
 constexpr std::size_t kPartsAtASharpCorner = 3;
 // Where speeds change much within a span: cells so short that they are known everywhere.
 constexpr std::size_t kPartsOfALongSpan = 8;

@@ -51,7 +51,7 @@ struct NodesView {
     static NodesView of(const CurveNodes& nodes) { return of(nodes, 0, nodes.cell.size() - 1); }
 };
 
-/// Nodes for points [first, last] of a path: two a span, three beside a sharp corner, one where points are
+/// Nodes for points [first, last] of a path: two a span, four beside a sharp corner, one where points are
 /// dense, more where the tube is tight. All cells weigh the same. `memory` is used again.
 CurveNodes curve_nodes(const MachineLimits& limits, std::span<const PathPoint> points,
                        std::span<const PathSpan> spans, std::span<const PathCorner> corners,

@@ -2,9 +2,9 @@
 #include "rtcore/plan/path_stretch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "rtcore/plan/bending_weights.hpp"
 #include "rtcore/plan/curve_check.hpp"
 #include "shared/base/units.hpp"
 
@@ -23,8 +23,6 @@ constexpr std::size_t kSpansAWindow = 96;
 constexpr double kAccelShare = 0.985;
 // Less of the time at an axis' acceleration than that: no other curve would be faster by much.
 constexpr double kLeastLimitedShare = 0.1;
-// Another curve is to be worth the cuts that bending more evenly takes.
-constexpr double kWorthwhile = 0.998;
 
 Lanes accel_of(const MachineLimits& limits) {
     Lanes accel;
@@ -55,11 +53,11 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
               spans.begin() + static_cast<std::ptrdiff_t>(last),
               spans_.begin() + static_cast<std::ptrdiff_t>(first));
     curve_.nodes = curve_nodes(limits_, points, spans_, corners, first, last, std::move(curve_.nodes));
-    fit(points);
+    curve_.times.is_within = fit(points);
     time(spans);
     if (!spans[first].is_link) bend_evenly(points, spans);
     add_pieces(points, pieces);
-    return curve_.seconds;
+    return curve_.times.seconds[0];
 }
 
 // The fastest timing of the curve, at 100 % and at twice the feed.
@@ -92,48 +90,87 @@ void StretchPlanner::time(std::span<const PathSpan> spans) {
             curve_.speed2[1][i] = std::max(curve_.speed2[1][i], curve_.speed2[0][i]);
         }
     }
-    curve_.seconds = 0.0;
-    for (std::size_t i = 0; i < curve_.cells.size(); ++i) {
-        curve_.seconds += cell_seconds(curve_.cells[i].length, curve_.speed2[0][i], curve_.speed2[0][i + 1]);
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        const std::vector<double>& speed2 = curve_.speed2[timing];
+        double& seconds = curve_.times.seconds[timing];
+        seconds = 0.0;
+        for (std::size_t i = 0; i < curve_.cells.size(); ++i)
+            seconds += cell_seconds(curve_.cells[i].length, speed2[i], speed2[i + 1]);
     }
 }
 
-// The curve once more, with what its timing says of where bending costs time. The faster of the two counts.
+// The curve once more, with what its timing says of where bending costs time.
 void StretchPlanner::bend_evenly(std::span<const PathPoint> points, std::span<const PathSpan> spans) {
     const double limited_share = weigh_bending(curve_.cells, curve_.speed2[0], accel_, curve_.nodes.weight);
     if (limited_share < kLeastLimitedShare) return;
     std::swap(curve_, least_bent_);
     curve_.nodes = least_bent_.nodes;
-    const bool is_within = fit(points);
-    if (is_within) time(spans);
-    if (!is_within || curve_.seconds > kWorthwhile * least_bent_.seconds) std::swap(curve_, least_bent_);
+    curve_.times.is_within = fit(points);
+    if (curve_.times.is_within) time(spans);
+    if (!is_worthwhile(curve_.times, least_bent_.times)) std::swap(curve_, least_bent_);
 }
 
 // The tube is looked at in the nodes; where the curve leaves it in between, the tube is narrowed and the
-// curve fitted again around there.
+// curve fitted again around there. False if it is still outside somewhere, a tube being narrowed only so far,
+// or if no curve was found that comes close to what was asked for.
 bool StretchPlanner::fit(std::span<const PathPoint> points) {
     const NodeRange whole{0, curve_.nodes.step.size() - 1};
     ranges_.assign(1, whole);
+    bool is_stuck = false;
+    bool is_found = true;
     for (int fits = 1;; ++fits) {
         const auto is_fitted = [this](const NodeRange& range) { return fit_again(range); };
         const bool is_good =
             fits == 1 ? fit_in_windows() : std::all_of(ranges_.begin(), ranges_.end(), is_fitted);
         if (!is_good) {
             ranges_.assign(1, whole);
-            fit_whole();
+            is_found = fit_whole();
         }
         cells_of(curve_.nodes, curve_.control, curve_.cells, curve_.cell_at);
         if (fits == kMostFits) return false;
         narrowed_.clear();
-        for (const NodeRange& range : ranges_) {
-            narrow_where_outside(limits_, points, {curve_.nodes, curve_.cells, curve_.cell_at}, range, spans_,
-                                 narrowed_);
-        }
-        if (narrowed_.empty()) return true;
+        stuck_.clear();
+        for (const NodeRange& range : ranges_) narrow(points, range);
+        is_stuck = !bend_least_where_stuck() || is_stuck;
+        if (narrowed_.empty()) return is_found && (!is_stuck || is_within(points));
         gather_narrowed_ranges();
         for (const std::uint32_t span : narrowed_)
             bind_again(limits_, points, spans_, node_of(span), curve_.nodes);
     }
+}
+
+void StretchPlanner::narrow(std::span<const PathPoint> points, const NodeRange& range) {
+    narrow_where_outside(limits_, points, {curve_.nodes, curve_.cells, curve_.cell_at}, range, spans_,
+                         narrowed_, stuck_);
+}
+
+bool StretchPlanner::is_within(std::span<const PathPoint> points) {
+    narrowed_.clear();
+    stuck_.clear();
+    narrow(points, {0, curve_.nodes.step.size() - 1});
+    return narrowed_.empty() && stuck_.empty();
+}
+
+// Around spans that the curve leaves though their tube is as narrow as it may be, all cells weigh the same
+// again. False if they do already.
+bool StretchPlanner::bend_least_where_stuck() {
+    constexpr Lanes kEven{1.0, 1.0, 1.0, 1.0};
+    const std::size_t first = curve_.nodes.span_at.front();
+    const std::size_t last = curve_.nodes.span_at.back();
+    bool is_eased = true;
+    for (const std::uint32_t span : stuck_) {
+        const std::size_t begin = node_of(std::max(first + kSpansAround, std::size_t{span}) - kSpansAround);
+        const std::size_t end = node_of(std::min(last, span + 1 + kSpansAround));
+        const auto weights = std::span(curve_.nodes.weight).subspan(begin, end + 1 - begin);
+        if (std::all_of(weights.begin(), weights.end(), [&](const Lanes& w) { return w == kEven; })) {
+            is_eased = false;
+            continue;
+        }
+        std::fill(weights.begin(), weights.end(), kEven);
+        narrowed_.push_back(span);
+    }
+    std::sort(narrowed_.begin(), narrowed_.end());
+    return is_eased;
 }
 
 // Where a span begins, or the last one ends.
@@ -157,9 +194,10 @@ void StretchPlanner::gather_narrowed_ranges() {
     }
 }
 
-void StretchPlanner::fit_whole() {
+bool StretchPlanner::fit_whole() {
     fit_.solve(NodesView::of(curve_.nodes));
     curve_.control = fit_.control();
+    return fit_.has_converged();
 }
 
 // From begin to end. How the curve goes on many spans later changes nothing where it is: what was fitted

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "rtcore/plan/bending_weights.hpp"
 #include "rtcore/plan/curve_check.hpp"
 #include "rtcore/plan/curve_fit.hpp"
 #include "rtcore/plan/curve_nodes.hpp"
@@ -40,15 +41,18 @@ private:
         std::vector<PathCell> cells;
         std::vector<Lanes> cell_at;  ///< position at each cell's begin [pulses]
         std::array<std::vector<double>, kTimingCount> speed2;
-        double seconds = 0.0;  ///< at 100 %
+        FittedTimes times;
     };
 
     bool fit(std::span<const PathPoint> points);
     void time(std::span<const PathSpan> spans);
     void bend_evenly(std::span<const PathPoint> points, std::span<const PathSpan> spans);
     std::size_t node_of(std::size_t span) const;
+    void narrow(std::span<const PathPoint> points, const NodeRange& range);
+    bool is_within(std::span<const PathPoint> points);
+    bool bend_least_where_stuck();
     void gather_narrowed_ranges();
-    void fit_whole();
+    bool fit_whole();
     bool fit_in_windows();
     bool fit_again(const NodeRange& range);
     bool fit_part(const NodeRange& range, std::size_t decided_last);
@@ -66,7 +70,8 @@ private:
     SpeedProfile timing_;
     std::vector<PathSpan> spans_;  ///< with the bands that the curve needs
     std::vector<std::uint32_t> narrowed_;
-    std::vector<NodeRange> ranges_;  ///< around those
+    std::vector<std::uint32_t> stuck_;  ///< spans outside whose bands are as narrow as they may be
+    std::vector<NodeRange> ranges_;     ///< around those
     Curve curve_;
     Curve least_bent_;
     std::vector<std::array<bool, 2>> is_fed_;  ///< by cell and head: a part of it may cut

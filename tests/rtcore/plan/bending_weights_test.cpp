@@ -56,15 +56,38 @@ TEST(BendingWeights, CountWhatTheSpeedAlongTheWayTakes) {
 }
 
 TEST(BendingWeights, TellTheTimeThatAnAxisIsAtItsLimit) {
-    // One second at x = 4 with all of an axis' acceleration, three at x = 1 with less than 0.9 of it.
+    // One second at x = 4 with 0.91 of an axis' acceleration, then slowing down to x = 1 with 0.89 of
+    // another's at most.
     const std::vector<PathCell> cells{bent_cell(1e-9, {}, {25.0, 0.0, 0.0, 0.0}),
-                                      bent_cell(2.0, {}, {25.0, 0.0, 0.0, 0.0}),
-                                      bent_cell(3.0, {}, {0.0, 89.0, 0.0, 0.0})};
+                                      bent_cell(2.0, {}, {22.75, 0.0, 0.0, 0.0}),
+                                      bent_cell(3.0, {}, {0.0, 0.0, 356.0, 0.0})};
     std::vector<Lanes> weights;
     const std::vector<double> speed2{4.0, 4.0, 4.0, 1.0};
     const double seconds = 2.0 * 3.0 / 3.0;
-    EXPECT_NEAR(weigh_bending(cells, speed2, {100.0, 1000.0, 1.0, 1.0}, weights), 1.0 / (1.0 + seconds),
+    EXPECT_NEAR(weigh_bending(cells, speed2, {100.0, 1000.0, 1000.0, 1.0}, weights), 1.0 / (1.0 + seconds),
                 1e-6);
+}
+
+// The straight way at full acceleration: no curve is faster.
+TEST(BendingWeights, TellThatNothingIsToBeGainedWhereNothingBends) {
+    std::vector<PathCell> cells{bent_cell(0.1, {2000.0, 0.0, 0.0, 0.0}, {0.9, 0.0, 0.0, 0.0})};
+    std::vector<Lanes> weights;
+    EXPECT_EQ(weigh_bending(cells, std::vector<double>{0.0, 0.01}, kFourAccels, weights), 0.0);
+    cells[0] = bent_cell(0.1, {2000.0, 0.0, 0.0, 0.0}, {2500.0, 0.0, 0.0, 0.0});
+    EXPECT_EQ(weigh_bending(cells, std::vector<double>{0.0, 0.01}, kFourAccels, weights), 1.0);
+}
+
+TEST(EvenBending, CountsWhereItIsWithinItsTubeAndFasterAtEveryOverride) {
+    const FittedTimes least{true, {1.0, 0.8}};
+    EXPECT_TRUE(is_worthwhile({true, {0.997, 0.8}}, least));
+    EXPECT_FALSE(is_worthwhile({true, {0.999, 0.7}}, least));
+    EXPECT_FALSE(is_worthwhile({true, {0.9, 0.801}}, least));
+    EXPECT_FALSE(is_worthwhile({false, {0.9, 0.7}}, least));
+}
+
+TEST(EvenBending, ReplacesACurveThatLeftItsTube) {
+    EXPECT_TRUE(is_worthwhile({true, {1.1, 1.1}}, {false, {1.0, 0.8}}));
+    EXPECT_FALSE(is_worthwhile({false, {0.9, 0.7}}, {false, {1.0, 0.8}}));
 }
 
 MachineLimits machine_of(const std::string& example_name) {

@@ -106,8 +106,19 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
     cells_of(nodes, fit.control(), cells, cell_at);
     const std::vector<PathSpan> before = wide;
     std::vector<std::uint32_t> narrowed;
-    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, wide, narrowed);
+    std::vector<std::uint32_t> stuck;
+    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, wide, narrowed,
+                         stuck);
     EXPECT_EQ(narrowed, (std::vector<std::uint32_t>{5, 6}));
+    EXPECT_TRUE(stuck.empty());
+    // Bands that are as narrow as they may be make nothing of it but that the curve is outside.
+    std::vector<PathSpan> least = spans;
+    for (const std::size_t span : {5U, 6U}) least[span].band[0] = kLeastBandPulses;
+    narrowed.clear();
+    narrow_where_outside(limits, points, {nodes, cells, cell_at}, {0, cells.size() - 1}, least, narrowed,
+                         stuck);
+    EXPECT_TRUE(narrowed.empty());
+    EXPECT_EQ(stuck, (std::vector<std::uint32_t>{5, 6}));
     for (std::size_t span = 0; span < spans.size(); ++span) {
         if (span == 5 || span == 6) {
             EXPECT_LT(wide[span].band[0], before[span].band[0]) << span;
@@ -116,6 +127,20 @@ TEST(CurveCheck, NarrowsOnlyTheSpansInWhichTheCurveIsOutside) {
         }
         EXPECT_EQ(wide[span].band[1], before[span].band[1]) << span;
     }
+}
+
+TEST(CurveNodes, AreFourASpanBesideASharpCornerAndTwoElsewhere) {
+    const MachineLimits limits = fine_limits();
+    std::vector<std::array<std::int64_t, 2>> ways;
+    for (std::int64_t i = 0; i < 7; ++i) ways.push_back({128 * i, 40'000});
+    const auto points = points_of(ways);
+    const std::vector<PathSpan> spans = path_spans(limits, points);
+    std::vector<PathCorner> corners(5, PathCorner{false, false, false, 1.0});
+    corners[2].is_sharp = true;
+    const CurveNodes nodes = curve_nodes(limits, points, spans, corners, 0, 6);
+    std::array<int, 6> count{};
+    for (std::size_t j = 0; j + 1 < nodes.span_at.size(); ++j) ++count.at(nodes.span_at[j]);
+    EXPECT_EQ(count, (std::array{2, 2, 4, 4, 2, 2}));
 }
 
 // One axis needs three times the iterations of the table: the table's own must not be driven on meanwhile

@@ -97,9 +97,9 @@ private:
     std::uint64_t damaged_told_ = 0;
 };
 
-Result<int> follow(LogSources& sources, const LogFilter& filter, LogWarnings& warnings, bool as_json) {
+Result<int> follow(LogSources& sources, const LogFilter& filter, LogWarnings& warnings, bool as_json,
+                   const OperatorBreak& operator_break) {
     constexpr std::chrono::milliseconds kPeriod{300};
-    const OperatorBreak operator_break;
     while (!operator_break.was_asked()) {
         auto news = sources.read_more(kPeriod);
         drop_others(news, filter);
@@ -113,6 +113,9 @@ Result<int> follow(LogSources& sources, const LogFilter& filter, LogWarnings& wa
 Result<int> show_log(const CommonOptions& common, const LogOptions& options) {
     const auto filter = filter_of(options);
     if (!filter) return filter.error();
+    // Before anything is printed: Ctrl-C ends what follows with exit code 0 from its first line on.
+    std::optional<OperatorBreak> operator_break;
+    if (options.follows) operator_break.emplace();
     LogSources sources{common.segment, options.state_folder};
     auto entries = sources.read_first();
     if (!entries) return entries.error();
@@ -126,8 +129,8 @@ Result<int> show_log(const CommonOptions& common, const LogOptions& options) {
     if (const auto printed = print(*entries, common.json); !printed) return printed.error();
     LogWarnings warnings;
     warnings.tell(sources);
-    if (!options.follows) return kExitDone;
-    return follow(sources, *filter, warnings, common.json);
+    if (!operator_break) return kExitDone;
+    return follow(sources, *filter, warnings, common.json, *operator_break);
 }
 
 }  // namespace

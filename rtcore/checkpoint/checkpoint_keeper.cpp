@@ -96,8 +96,8 @@ CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, c
     const auto known = known_of(header, job);
     if (!known) return {};
     if (known->next_layer == left.next_layer) return {};
-    const Message both = message_of(MessageId::segment_and_disk_disagree, layer_argument(known->next_layer),
-                                    layer_argument(left.next_layer));
+    const Message both = message_of(MessageId::segment_and_disk_disagree, count_argument(known->next_layer),
+                                    count_argument(left.next_layer));
     if (left.next_layer > known->next_layer) return {own(job, known->next_layer, known->earlier_layer), both};
     place();
     return {std::nullopt, both};

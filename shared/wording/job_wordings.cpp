@@ -87,7 +87,7 @@ constexpr std::array kJobWordings{
             "segment_and_disk_disagree",
             "segment: layer %1, disk: %2",
             "where this piece goes on the two disagree, the lower one is taken",
-            {{K::layer, "segment_layer"}, {K::layer, "disk_layer"}}},
+            {{K::count, "segment_layer"}, {K::count, "disk_layer"}}},
     Wording{Id::busy_for_a_job, "busy_for_a_job", "the machine is busy", "try again", {}},
     Wording{
         Id::job_runs, "job_runs", "a job runs (%1)", "stop it or wait for its end", {{K::state, "state"}}},

@@ -66,7 +66,7 @@ TEST_F(SegmentJobs, RemarksOnAnAcceptedJobArriveAsTheyWereSaid) {
     const auto accepted = publish_job(*hmi_, test::make_job(1, 50, 50)).value();
     EXPECT_TRUE(job_remarks(*hmi_).empty());
     const std::vector<Message> said{
-        message_of(MessageId::segment_and_disk_disagree, layer_argument(7), layer_argument(4)),
+        message_of(MessageId::segment_and_disk_disagree, count_argument(7), count_argument(4)),
         message_of(MessageId::begun_with_other_profile)};
     acknowledge_job(*core_, accepted, true, said);
     const std::vector<Message> remarks = job_remarks(*hmi_);

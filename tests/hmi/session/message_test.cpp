@@ -232,7 +232,7 @@ TEST(Messages, TellOnceThatMemoryAndDiskDisagree) {
     const MachineView before = machine_in(S::off);
     MachineView after = before;
     after.job_remarks = {
-        message_of(MessageId::segment_and_disk_disagree, layer_argument(7), layer_argument(4))};
+        message_of(MessageId::segment_and_disk_disagree, count_argument(7), count_argument(4))};
     EXPECT_EQ(told(before, after),
               "The computer's memory says 7 layers, its disk 4: the lower number is taken.; ");
     EXPECT_EQ(told(after, after), "");

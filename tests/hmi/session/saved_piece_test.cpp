@@ -121,7 +121,7 @@ TEST(SavedPieceWords, SayThatMemoryAndDiskDisagreed) {
     EXPECT_FALSE(disagreement(machine));
     machine.job_remarks = {
         message_of(MessageId::blank_beside, mm_argument(1.0)),
-        message_of(MessageId::segment_and_disk_disagree, layer_argument(3), layer_argument(0)),
+        message_of(MessageId::segment_and_disk_disagree, count_argument(3), count_argument(0)),
         message_of(MessageId::begun_with_other_profile)};
     machine.earlier_layer = 5;
     machine.is_checkpoint_from_disk = true;

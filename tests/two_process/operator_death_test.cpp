@@ -96,7 +96,8 @@ TEST_F(OperatorDeath, AThousandAtAnyInstantDisturbNoPulse) {
     ASSERT_TRUE(eventually([&] {
         const MachineState state = status().state;
         return state == MachineState::ready || state == MachineState::off;
-    }));
+    })) << name_of(status().state)
+        << " at tick " << status().tick;
     expect_exact_motion(status());
     EXPECT_TRUE(eventually([&] { return used_slots() == 0; })) << used_slots() << " slots are lost";
     home();

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "rtcore/plan/machine_limits.hpp"
+#include "shared/program/motion_record.hpp"
+
+namespace psicarve::plan {
+
+/// A motion record that was checked: in pulses, within travel, clear of core and other head.
+struct ProgramStep {
+    MotionKind kind = MotionKind::end;
+    StopReason reason = StopReason::program;  ///< stop
+    bool is_rapid = false;
+    bool ends_block = false;
+    bool is_spindle_on = false;  ///< spindle
+    std::uint64_t line = 0;      ///< from 1
+    Pulses4 target_pulses{};     ///< way: where all axes are after it
+    double seconds = 0.0;        ///< way: the least it may take; dwell: how long
+    double tolerance_mm = 0.0;   ///< way: 0: its end is reached to the pulse, at rest
+};
+
+/// What a source has to give.
+enum class Supply : std::uint8_t {
+    step,     ///< the next one
+    later,    ///< none yet; more may come
+    ended,    ///< none any more: the program's end was given
+    lost,     ///< none any more, without an end: who wrote the program is gone
+    refused,  ///< none any more: a record was wrong; the source knows which and why
+};
+
+/// Gives a program's steps in their order, each once. Planner's thread.
+class StepSource {
+public:
+    virtual ~StepSource() = default;
+    virtual Supply next(ProgramStep& step) = 0;
+};
+
+}  // namespace psicarve::plan

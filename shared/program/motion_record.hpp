@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "shared/machine/signal.hpp"
+
+namespace psicarve {
+
+/// What a program asks the machine to do next. The numbers are part of the segment's layout.
+enum class MotionKind : std::uint8_t {
+    way = 1,      ///< straight, all axes together, to `target`
+    dwell = 2,    ///< rest for `seconds`
+    spindle = 3,  ///< on where `code` is 1, off where it is 0, at rest
+    stop = 4,     ///< rest and wait for the operator; `code`: why, a StopReason
+    end = 5,      ///< the program is done: rest, spindle off
+};
+
+/// Why a program waits for the operator. The numbers are part of the segment's layout.
+enum class StopReason : std::uint8_t {
+    program = 1,      ///< M0, M60
+    optional = 2,     ///< M1, with the switch for it on
+    tool_change = 3,  ///< M6
+};
+
+/// Flags of a record, one bit each.
+inline constexpr std::uint8_t kIsRapid = 1;    ///< a way in the air: the feed's override is not for it
+inline constexpr std::uint8_t kEndsBlock = 2;  ///< the last record of its block in the program
+inline constexpr std::uint8_t kKnownFlags = kIsRapid | kEndsBlock;
+
+/// One step of a program, as it stands in the ring between the program's reader and the core. Fixed-size,
+/// without pointers. The core copies a record before it looks at it, and trusts none of its numbers.
+struct MotionRecord {
+    std::uint64_t program;   ///< the number that the core gave the program when it was opened
+    std::uint64_t sequence;  ///< from 1, without a gap
+    std::uint64_t line;      ///< of the program, from 1
+    MotionKind kind;
+    std::uint8_t axes;  ///< way: those whose target counts, bit by Axis; the others stay where they are
+    std::uint8_t flags;
+    std::uint8_t code;
+    std::uint8_t reserved[4];  ///< 0
+    std::array<double, kAxisCount>
+        target;           ///< in machine positions: r1, r2, y in mm, psi in degrees with its turns
+    double seconds;       ///< way: the least that it may take, 0: as fast as the machine can; dwell: how long
+    double tolerance_mm;  ///< way: how near its end must be passed (G64 P); 0: it is reached to the pulse, at
+                          ///< rest
+    std::uint64_t check;  ///< record_check() of all that stands before it
+};
+static_assert(sizeof(MotionRecord) == 88 && std::is_trivially_copyable_v<MotionRecord>,
+              "bump kLayoutVersion");
+
+/// A number that any changed bit before `check` changes.
+std::uint64_t record_check(const MotionRecord& record) noexcept;
+
+}  // namespace psicarve

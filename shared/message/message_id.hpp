@@ -128,6 +128,26 @@ enum class MessageId : std::uint16_t {
     ring_not_closed = 178,
     layer_not_higher = 179,
     spiral_not_joined = 180,
+
+    // What of a program, record by record, the core does not take, and who may write one.
+    program_has_writer = 200,
+    program_is_over = 201,
+    program_ring_full = 202,
+    program_ring_damaged = 203,
+    program_record_torn = 204,
+    program_record_foreign = 205,
+    program_record_out_of_order = 206,
+    program_record_unknown = 207,
+    program_number_not_finite = 208,
+    program_time_out_of_range = 209,
+    program_tolerance_out_of_range = 210,
+    program_outside_travel = 211,
+    program_inside_core_radius = 212,
+    program_cannot_count_so_far = 213,
+    program_tips_too_close = 214,
+    program_tips_pass_too_close = 215,
+    program_goes_on_after_end = 216,
+    program_lost = 217,
 };
 
 }  // namespace psicarve

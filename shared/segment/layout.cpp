@@ -69,6 +69,44 @@ constexpr std::uint64_t status_hash(std::uint64_t hash) noexcept {
                offsetof(FlightRecord, value), offsetof(FlightRecord, position_pulses)});
 }
 
+constexpr std::uint64_t program_hash(std::uint64_t hash) noexcept {
+    return hash_numbers(hash, {sizeof(MotionRecord),
+                               offsetof(MotionRecord, program),
+                               offsetof(MotionRecord, sequence),
+                               offsetof(MotionRecord, line),
+                               offsetof(MotionRecord, kind),
+                               offsetof(MotionRecord, axes),
+                               offsetof(MotionRecord, flags),
+                               offsetof(MotionRecord, code),
+                               offsetof(MotionRecord, target),
+                               offsetof(MotionRecord, seconds),
+                               offsetof(MotionRecord, tolerance_mm),
+                               offsetof(MotionRecord, check),
+                               sizeof(RingRecord),
+                               sizeof(RingEnds),
+                               offsetof(RingEnds, was_put),
+                               offsetof(RingEnds, taken),
+                               offsetof(RingEnds, was_taken),
+                               sizeof(ProgramControl),
+                               offsetof(ProgramControl, claim),
+                               offsetof(ProgramControl, claim_start_time),
+                               offsetof(ProgramControl, next_claim),
+                               offsetof(ProgramControl, asked),
+                               offsetof(ProgramControl, closed),
+                               offsetof(ProgramControl, running),
+                               offsetof(ProgramControl, starvations),
+                               offsetof(ProgramControl, grant),
+                               offsetof(ProgramControl, progress),
+                               offsetof(ProgramControl, refusal),
+                               offsetof(ProgramGrant, program),
+                               offsetof(ProgramGrant, first),
+                               offsetof(ProgramProgress, taken),
+                               offsetof(ProgramProgress, line),
+                               offsetof(ProgramProgress, end),
+                               offsetof(ProgramRefusal, line),
+                               offsetof(ProgramRefusal, said)});
+}
+
 constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
     hash = hash_numbers(hash, {sizeof(pthread_mutex_t),
                                sizeof(MutexStorage),
@@ -116,6 +154,8 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(SegmentHeader, ready),
                                offsetof(SegmentHeader, total_bytes),
                                offsetof(SegmentHeader, capacity_layers),
+                               offsetof(SegmentHeader, capacity_records),
+                               offsetof(SegmentHeader, ring_offset),
                                offsetof(SegmentHeader, slot_offset),
                                offsetof(SegmentHeader, slot_bytes),
                                offsetof(SegmentHeader, boot_id),
@@ -141,6 +181,7 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
                                offsetof(Checkpoint, next_layer),
                                offsetof(Checkpoint, earlier_layer),
                                offsetof(Checkpoint, check),
+                               offsetof(SegmentHeader, program),
                                offsetof(SegmentHeader, status),
                                offsetof(SegmentHeader, increments),
                                offsetof(SegmentHeader, recorder),
@@ -150,14 +191,15 @@ constexpr std::uint64_t segment_hash(std::uint64_t hash) noexcept {
 }  // namespace
 
 std::uint64_t segment_abi_hash() noexcept {
-    return segment_hash(status_hash(job_hash(kHashStart)));
+    return program_hash(segment_hash(status_hash(job_hash(kHashStart))));
 }
 
 std::uint64_t snapshot_abi_hash(bool with_status) noexcept {
     return with_status ? status_hash(job_hash(kHashStart)) : job_hash(kHashStart);
 }
 
-SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points) noexcept {
+SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points,
+                                 std::uint32_t capacity_records) noexcept {
     const std::uint64_t layers = capacity_layers;
     const std::uint64_t table_bytes = layers * capacity_points * sizeof(std::int32_t);
     // Each of the six parts after the header may need up to 7 bytes to reach its multiple of 8.
@@ -166,7 +208,9 @@ SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t ca
                                     6 * sizeof(std::uint64_t);
     SegmentGeometry geometry{};
     geometry.slot_bytes = round_up_to_page(job_bytes);
-    geometry.slot_offset[0] = round_up_to_page(sizeof(SegmentHeader));
+    geometry.ring_offset = round_up_to_page(sizeof(SegmentHeader));
+    geometry.mapped_bytes = geometry.ring_offset + round_up_to_page(capacity_records * sizeof(RingRecord));
+    geometry.slot_offset[0] = geometry.mapped_bytes;
     geometry.slot_offset[1] = geometry.slot_offset[0] + geometry.slot_bytes;
     geometry.total_bytes = geometry.slot_offset[1] + geometry.slot_bytes;
     return geometry;

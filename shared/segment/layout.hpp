@@ -12,6 +12,7 @@
 #include "shared/job/job.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/machine/status.hpp"
+#include "shared/program/record_ring.hpp"
 #include "shared/segment/checkpoint.hpp"
 
 namespace psicarve {
@@ -21,7 +22,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 12;
+inline constexpr std::uint32_t kLayoutVersion = 13;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read. Before
 /// 10 is_dry had 16 bits: its high byte, always 0, is now is_left_forecast.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;
@@ -142,6 +143,59 @@ struct PortName {
 };
 static_assert(sizeof(PortName) == 64 && std::is_trivially_copyable_v<PortName>, "bump kLayoutVersion");
 
+/// Which program a writer's records are of. Written by the core alone, when it opens one.
+struct ProgramGrant {
+    std::uint64_t claim;    ///< of the writer that asked for it
+    std::uint64_t program;  ///< its number; 0: none was opened yet
+    std::uint64_t first;    ///< the ring's index with which both sides begin
+};
+static_assert(sizeof(ProgramGrant) == 24 && std::is_trivially_copyable_v<ProgramGrant>,
+              "bump kLayoutVersion");
+
+/// How far the core has taken a program out of the ring. Written by the core alone.
+struct ProgramProgress {
+    std::uint64_t program;
+    std::uint64_t taken;  ///< sequence of the last record that it took as good
+    std::uint64_t line;   ///< of that record
+    std::uint32_t end;    ///< ProgramEnd
+    std::uint32_t reserved;
+};
+static_assert(sizeof(ProgramProgress) == 32 && std::is_trivially_copyable_v<ProgramProgress>,
+              "bump kLayoutVersion");
+
+/// Why no more records are taken. The numbers are part of the segment's layout.
+enum class ProgramEnd : std::uint32_t {
+    none = 0,     ///< they are
+    ended = 1,    ///< the program's end was given
+    lost = 2,     ///< who wrote it is gone, or has closed it, without an end
+    refused = 3,  ///< a record was wrong: ProgramRefusal says which
+};
+
+/// The first record of a program that the core did not take. Written by the core alone.
+struct ProgramRefusal {
+    std::uint64_t program;  ///< 0: none was refused
+    std::uint64_t line;     ///< of that record; of the one before where it cannot be believed
+    Message said;
+};
+static_assert(sizeof(ProgramRefusal) == 408 && std::is_trivially_copyable_v<ProgramRefusal>,
+              "bump kLayoutVersion");
+
+/// The program that is being written into the ring, by one process at a time; docs/contract.md tells of each
+/// word. The records stand behind the header.
+struct ProgramControl {
+    RingEnds ends;
+    AtomicWord64 claim;             ///< writer's pid in the high half, a number in the low one; 0: none writes
+    AtomicWord64 claim_start_time;  ///< as in ProcessIdentity; 0: not known (yet)
+    AtomicWord64 next_claim;        ///< by whoever claims, by adding 1
+    AtomicWord64 asked;             ///< the claim that waits for a program's number; the core makes it 0
+    AtomicWord64 closed;            ///< by the writer: the program of which all is put
+    AtomicWord64 running;           ///< by the core: the program whose records it takes; 0: of none
+    AtomicWord64 starvations;       ///< by the core: how often the machine had to wait for records
+    SharedRecord<ProgramGrant> grant;
+    SharedRecord<ProgramProgress> progress;
+    SharedRecord<ProgramRefusal> refusal;
+};
+
 struct SegmentHeader {
     std::uint64_t magic;
     std::uint32_t layout_version;
@@ -150,6 +204,9 @@ struct SegmentHeader {
     std::uint64_t total_bytes;
     std::uint32_t capacity_layers;
     std::uint32_t capacity_points;
+    std::uint32_t capacity_records;  ///< of the ring
+    std::uint32_t reserved;
+    std::uint64_t ring_offset;  ///< of the ring's records
     std::uint64_t slot_offset[2];
     std::uint64_t slot_bytes;
     char boot_id[40];
@@ -171,6 +228,7 @@ struct SegmentHeader {
     SharedRecord<PortName> port;  ///< of the core; empty until it has set it
     SharedRecord<JobVerdict> verdict;
     SharedRecord<Checkpoint> checkpoint;  ///< of the core; a new core leaves it as it is
+    ProgramControl program;
     SharedRecord<CoreStatus> status;
     IncrementRing increments;
     FlightRecorder recorder;
@@ -184,15 +242,18 @@ std::uint64_t segment_abi_hash() noexcept;
 /// job file thus outlives changes of the segment.
 std::uint64_t snapshot_abi_hash(bool with_status) noexcept;
 
-/// Where everything stands in a segment of this capacity [bytes]. Slots begin at whole pages.
+/// Where everything stands in a segment of this capacity [bytes]. Ring and slots begin at whole pages.
 struct SegmentGeometry {
+    std::uint64_t ring_offset;
+    std::uint64_t mapped_bytes;  ///< header and ring: what a process maps
     std::uint64_t slot_offset[2];
     std::uint64_t slot_bytes;
     std::uint64_t total_bytes;
 };
 inline constexpr std::uint32_t kMaxCapacityLayers = kMaxJobCount;
 inline constexpr std::uint32_t kMaxCapacityPoints = kMaxJobCount;
-/// Requires capacities of at least 1 and within kMaxCapacity...; then nothing overflows.
-SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points) noexcept;
+/// Requires capacities of at least 1 and within kMaxCapacity..., and is_ring_capacity; then nothing overflows.
+SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points,
+                                 std::uint32_t capacity_records = kDefaultRingRecords) noexcept;
 
 }  // namespace psicarve

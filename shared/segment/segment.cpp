@@ -23,10 +23,11 @@ namespace bip = boost::interprocess;
 constexpr std::chrono::milliseconds kMakingLimit{5000};
 constexpr std::chrono::milliseconds kMakingPoll{2};
 
-/// Only the header is mapped: slots are read and written through the descriptor.
-Result<bip::mapped_region> map_header(const SegmentObject& object, const std::string& name) {
+/// Only header and ring are mapped: slots are read and written through the descriptor.
+Result<bip::mapped_region> map_front(const SegmentObject& object, const std::string& name,
+                                     const SegmentGeometry& geometry) {
     try {
-        return bip::mapped_region{object.shm(), bip::read_write, 0, sizeof(SegmentHeader)};
+        return bip::mapped_region{object.shm(), bip::read_write, 0, geometry.mapped_bytes};
     } catch (const bip::interprocess_exception& failure) {
         return bad_input("segment " + name + ": cannot be mapped: " +
                          std::generic_category().message(failure.get_native_error()));
@@ -35,13 +36,14 @@ Result<bip::mapped_region> map_header(const SegmentObject& object, const std::st
 
 /// Fills an object that we created and whose creator lock we hold.
 Result<void> make_contents(SegmentObject& object, const std::string& name, const SegmentOptions& options) {
-    const SegmentGeometry geometry = segment_geometry(options.capacity_layers, options.capacity_points);
+    const SegmentGeometry geometry =
+        segment_geometry(options.capacity_layers, options.capacity_points, options.capacity_records);
     if (auto sized = object.resize(name, geometry.total_bytes); !sized) return sized;
-    if (auto reserved = object.reserve(name, 0, sizeof(SegmentHeader)); !reserved) return reserved;
-    Result<bip::mapped_region> region = map_header(object, name);
+    if (auto reserved = object.reserve(name, 0, geometry.mapped_bytes); !reserved) return reserved;
+    Result<bip::mapped_region> region = map_front(object, name, geometry);
     if (!region) return region.error();
     auto* const header = static_cast<SegmentHeader*>(region->get_address());
-    return fill_header(*header, options.capacity_layers, options.capacity_points);
+    return fill_header(*header, options.capacity_layers, options.capacity_points, options.capacity_records);
 }
 
 /// Makes the object if the name is free. False: another process was first, look again.
@@ -81,6 +83,10 @@ Result<bool> try_take_away(SegmentObject& object, const std::string& name, const
 Result<void> check_capacity(const SegmentOptions& options) {
     const bool is_possible = options.capacity_layers >= 1 && options.capacity_layers <= kMaxCapacityLayers &&
                              options.capacity_points >= 2 && options.capacity_points <= kMaxCapacityPoints;
+    if (!is_ring_capacity(options.capacity_records)) {
+        return Error{ErrorCode::bad_usage, "a ring of " + std::to_string(options.capacity_records) +
+                                               " records is not possible: a power of two from 64 to 65536"};
+    }
     if (is_possible) return {};
     return Error{ErrorCode::bad_usage, "a capacity of " + std::to_string(options.capacity_layers) + "x" +
                                            std::to_string(options.capacity_points) +
@@ -132,7 +138,7 @@ Result<Segment> Segment::create_or_attach(const SegmentOptions& options) {
         }
         const HeaderFacts facts = examine_header(**found);
         if (facts.state == HeaderState::usable) {
-            Result<bip::mapped_region> region = map_header(**found, *name);
+            Result<bip::mapped_region> region = map_front(**found, *name, facts.geometry);
             if (!region) return region.error();
             Segment segment{std::make_unique<Mapping>(std::move(**found), std::move(*region), facts, *name)};
             segment.mapping_->warning = capacity_warning(facts, options, *name);
@@ -182,7 +188,7 @@ Result<Segment> Segment::attach_by(const std::string& name, const Open& open) {
         if (!found->has_value()) return missing;
         const HeaderFacts facts = examine_header(**found);
         if (facts.state == HeaderState::usable) {
-            Result<bip::mapped_region> region = map_header(**found, *checked);
+            Result<bip::mapped_region> region = map_front(**found, *checked, facts.geometry);
             if (!region) return region.error();
             return Segment{
                 std::make_unique<Mapping>(std::move(**found), std::move(*region), facts, *checked)};
@@ -218,6 +224,12 @@ std::uint32_t Segment::capacity_layers() const noexcept {
 }
 std::uint32_t Segment::capacity_points() const noexcept {
     return mapping_->capacity_points;
+}
+RecordRing Segment::record_ring() noexcept {
+    auto* const bytes = static_cast<std::byte*>(mapping_->region.get_address());
+    return {.ends = &header().program.ends,
+            .records = reinterpret_cast<RingRecord*>(bytes + mapping_->geometry.ring_offset),
+            .capacity = mapping_->capacity_records};
 }
 std::uint64_t Segment::slot_bytes() const noexcept {
     return mapping_->geometry.slot_bytes;

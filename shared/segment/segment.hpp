@@ -22,6 +22,7 @@ struct SegmentOptions {
     std::string name = kDefaultSegmentName;
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
+    std::uint32_t capacity_records = kDefaultRingRecords;  ///< of the ring of a program
     std::string group;  ///< mode 0660 and this group instead of 0600
     /// The name belongs to this program: it replaces an object whose contents are truncated or overwritten.
     bool replaces_damaged = false;
@@ -70,6 +71,8 @@ public:
     std::uint32_t capacity_layers() const noexcept;
     std::uint32_t capacity_points() const noexcept;
     std::uint64_t slot_bytes() const noexcept;
+    /// The ring of a program's records, as far as this process has it mapped; see segment_program.hpp.
+    RecordRing record_ring() noexcept;
     /// One line that the user should see about the object that was found; else empty.
     const std::string& warning() const noexcept;
 

@@ -8,6 +8,7 @@
 #include "shared/segment/segment.hpp"
 #include "shared/segment/segment_commands.hpp"
 #include "shared/segment/segment_mapping.hpp"
+#include "shared/segment/segment_program.hpp"
 #include "shared/segment/shared_record.hpp"
 
 namespace psicarve {
@@ -40,6 +41,7 @@ Result<void> Segment::take_core_lock() {
     begin_ring_anew(shared.recording);
     shared.recording_lease.store(0);
     clear_commands_of_dead_core(shared);
+    clear_program_of_dead_core(shared);
     return {};
 }
 

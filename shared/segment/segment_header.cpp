@@ -41,8 +41,10 @@ bool is_from_this_boot(const FixedPart& bytes) {
 bool has_possible_numbers(const FixedPart& bytes, const HeaderFacts& facts) noexcept {
     if (facts.capacity_layers < 1 || facts.capacity_layers > kMaxCapacityLayers) return false;
     if (facts.capacity_points < 1 || facts.capacity_points > kMaxCapacityPoints) return false;
+    if (!is_ring_capacity(facts.capacity_records)) return false;
     const SegmentGeometry& wanted = facts.geometry;
-    return field_at<std::uint64_t>(bytes, offsetof(SegmentHeader, slot_offset)) == wanted.slot_offset[0] &&
+    return field_at<std::uint64_t>(bytes, offsetof(SegmentHeader, ring_offset)) == wanted.ring_offset &&
+           field_at<std::uint64_t>(bytes, offsetof(SegmentHeader, slot_offset)) == wanted.slot_offset[0] &&
            field_at<std::uint64_t>(bytes, offsetof(SegmentHeader, slot_offset) + sizeof(std::uint64_t)) ==
                wanted.slot_offset[1] &&
            field_at<std::uint64_t>(bytes, offsetof(SegmentHeader, slot_bytes)) == wanted.slot_bytes &&
@@ -64,7 +66,8 @@ HeaderState judge(const FixedPart& bytes, HeaderFacts& facts) {
     }
     facts.capacity_layers = field_at<std::uint32_t>(bytes, offsetof(SegmentHeader, capacity_layers));
     facts.capacity_points = field_at<std::uint32_t>(bytes, offsetof(SegmentHeader, capacity_points));
-    facts.geometry = segment_geometry(facts.capacity_layers, facts.capacity_points);
+    facts.capacity_records = field_at<std::uint32_t>(bytes, offsetof(SegmentHeader, capacity_records));
+    facts.geometry = segment_geometry(facts.capacity_layers, facts.capacity_points, facts.capacity_records);
     if (!has_possible_numbers(bytes, facts)) return HeaderState::wrong_numbers;
     if (static_cast<std::uint64_t>(facts.size_bytes) != facts.geometry.total_bytes) {
         return HeaderState::wrong_size;
@@ -125,9 +128,9 @@ Error refusal_of(const HeaderFacts& facts, const std::string& name) {
                      ": choose another name with --segment, " + remedy);
 }
 
-Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers,
-                         std::uint32_t capacity_points) {
-    const SegmentGeometry geometry = segment_geometry(capacity_layers, capacity_points);
+Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers, std::uint32_t capacity_points,
+                         std::uint32_t capacity_records) {
+    const SegmentGeometry geometry = segment_geometry(capacity_layers, capacity_points, capacity_records);
     // With the magic and without `ready`, the object is recognised as half made, and as ours.
     header.magic = kSegmentMagic;
     header.layout_version = kLayoutVersion;
@@ -135,6 +138,8 @@ Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers,
     header.total_bytes = geometry.total_bytes;
     header.capacity_layers = capacity_layers;
     header.capacity_points = capacity_points;
+    header.capacity_records = capacity_records;
+    header.ring_offset = geometry.ring_offset;
     std::copy(std::begin(geometry.slot_offset), std::end(geometry.slot_offset),
               std::begin(header.slot_offset));
     header.slot_bytes = geometry.slot_bytes;

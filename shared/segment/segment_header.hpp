@@ -29,6 +29,7 @@ struct HeaderFacts {
     std::uint32_t layout_version = 0;
     std::uint32_t capacity_layers = 0;
     std::uint32_t capacity_points = 0;
+    std::uint32_t capacity_records = 0;
     SegmentGeometry geometry{};
     std::int64_t size_bytes = 0;
     std::uint32_t creator_pid = 0;
@@ -50,6 +51,7 @@ constexpr bool is_damaged(HeaderState state) noexcept {
 Error refusal_of(const HeaderFacts& facts, const std::string& name);
 
 /// Fills a fresh, mapped, zeroed segment; `ready` last.
-Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers, std::uint32_t capacity_points);
+Result<void> fill_header(SegmentHeader& header, std::uint32_t capacity_layers, std::uint32_t capacity_points,
+                         std::uint32_t capacity_records);
 
 }  // namespace psicarve

@@ -23,6 +23,7 @@ struct Segment::Mapping {
           name(std::move(segment_name)),
           capacity_layers(facts.capacity_layers),
           capacity_points(facts.capacity_points),
+          capacity_records(facts.capacity_records),
           geometry(facts.geometry) {}
 
     SegmentHeader& header() const noexcept { return *static_cast<SegmentHeader*>(region.get_address()); }
@@ -34,6 +35,7 @@ struct Segment::Mapping {
     std::string warning;
     std::uint32_t capacity_layers;
     std::uint32_t capacity_points;
+    std::uint32_t capacity_records;
     SegmentGeometry geometry;          ///< our own, checked; never re-read from shared memory
     std::uint32_t core_owner_pid = 0;  ///< the process that claimed the core through this object; 0: none
 };

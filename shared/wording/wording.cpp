@@ -30,13 +30,13 @@ std::size_t Wording::argument_count() const noexcept {
 
 std::vector<Wording> wordings() {
     std::vector<Wording> all;
-    for (const auto& part : {command_wordings(), job_wordings()})
+    for (const auto& part : {command_wordings(), job_wordings(), program_wordings()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
 
 const Wording* wording_of(MessageId id) noexcept {
-    for (const auto& part : {command_wordings(), job_wordings()}) {
+    for (const auto& part : {command_wordings(), job_wordings(), program_wordings()}) {
         const auto found = std::ranges::lower_bound(part, id, {}, &Wording::id);
         if (found != part.end() && found->id == id) return &*found;
     }

@@ -11,5 +11,6 @@ namespace psicarve {
 
 std::span<const Wording> command_wordings() noexcept;
 std::span<const Wording> job_wordings() noexcept;
+std::span<const Wording> program_wordings() noexcept;
 
 }  // namespace psicarve

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,16 @@ private:
     std::vector<RingRecord> records_;
 };
 
+/// What a record's targets are of these axes.
+inline std::array<double, kAxisCount> positions(double r1_mm, double r2_mm, double y_mm, double psi_deg) {
+    std::array<double, kAxisCount> target{};
+    target[index_of(Axis::r1)] = r1_mm;
+    target[index_of(Axis::r2)] = r2_mm;
+    target[index_of(Axis::y)] = y_mm;
+    target[index_of(Axis::psi)] = psi_deg;
+    return target;
+}
+
 /// A way of a program, in the middle of the default machine's travel; every number tells its sequence.
 inline MotionRecord numbered_record(std::uint64_t sequence, std::uint64_t program = 7) {
     MotionRecord record{};
@@ -36,7 +47,7 @@ inline MotionRecord numbered_record(std::uint64_t sequence, std::uint64_t progra
     record.axes = 0xF;
     record.flags = kEndsBlock;
     const auto step = static_cast<double>(sequence % 4'000) * 0.0025;
-    record.target = {20.0 + step, 30.0 - step, 10.0 + step, step};
+    record.target = positions(20.0 + step, 30.0 - step, 10.0 + step, step);
     record.tolerance_mm = 0.01;
     record.check = record_check(record);
     return record;

@@ -206,9 +206,45 @@ std::vector<Row> of_tables() {
     };
 }
 
+std::vector<Row> of_programs() {
+    const Phrase damaged =
+        phrase("line %1: the program does not reach the core as it was read; start it again");
+    return {
+        {Id::program_has_writer, phrase("another program is being sent (process %1); wait for its end")},
+        {Id::program_is_over, phrase("the core takes no more of this program; start it again")},
+        {Id::program_ring_full, phrase("the core did not take the program's next step in time")},
+        {Id::program_ring_damaged,
+         phrase("the program does not reach the core as it was read; start it again")},
+        {Id::program_record_torn, damaged},
+        {Id::program_record_foreign, damaged, "1"},
+        {Id::program_record_out_of_order, damaged, "1"},
+        {Id::program_record_unknown,
+         phrase("line %1: the core does not know what this line asks for; is it another version?"), "1"},
+        {Id::program_number_not_finite, damaged},
+        {Id::program_time_out_of_range,
+         phrase("line %1: it would take more than %2 ms; change its feed or its dwell")},
+        {Id::program_tolerance_out_of_range,
+         phrase("line %1: the tolerance %2 is not between 0 and %3; change the P of G64")},
+        {Id::program_outside_travel,
+         phrase("line %1: %2 would come to %3, its travel is %4 to %5; move the work offset")},
+        {Id::program_inside_core_radius,
+         phrase("line %1: %2 would come to %3, inside the core radius of %4; carve less deep")},
+        {Id::program_cannot_count_so_far, phrase("line %1: %2 cannot count so far")},
+        {Id::program_tips_too_close,
+         phrase("line %1: the tips would be %2 apart, closer than head_clearance_mm, %3; carve less deep")},
+        {Id::program_tips_pass_too_close,
+         phrase(
+             "line %1: the tips, %2 apart at one end, would pass each other closer than head_clearance_mm, "
+             "%3; move one head after the other")},
+        {Id::program_goes_on_after_end, phrase("line %1: the program goes on after its end")},
+        {Id::program_lost,
+         phrase("the program breaks off behind line %1: who read it is gone; start it again")},
+    };
+}
+
 std::optional<Row> row_of(Id id) {
     for (const auto& rows : {of_commands(), of_motion(), of_jobs(), of_outputs_and_records(), of_asking(),
-                             of_published_jobs(), of_tables()}) {
+                             of_published_jobs(), of_tables(), of_programs()}) {
         const auto found = std::ranges::find(rows, id, &Row::id);
         if (found != rows.end()) return *found;
     }

@@ -4951,6 +4951,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
         </message>
         <message>
+            <source>a layer is a whole number</source>
+            <translation>номер слоя — целое число</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>слою нужны высота и не менее двух радиусов</translation>
         </message>
@@ -5161,6 +5165,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>another process has the pins recorded, or this core cannot record them</source>
             <translation>выводы записывает другой процесс, или это ядро не может их записывать</translation>
+        </message>
+        <message>
+            <source>another program is being sent (process %1); wait for its end</source>
+            <translation>передаётся другая программа (процесс %1); дождитесь её конца</translation>
         </message>
         <message>
             <source>another run than that of the layer's first point</source>
@@ -5855,10 +5863,6 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слои</translation>
         </message>
         <message>
-            <source>a layer is a whole number</source>
-            <translation>номер слоя — целое число</translation>
-        </message>
-        <message>
             <source>layers do not count on by one</source>
             <translation>номера слоёв не идут подряд</translation>
         </message>
@@ -5913,6 +5917,46 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>line %1</source>
             <translation>строка %1</translation>
+        </message>
+        <message>
+            <source>line %1: %2 cannot count so far</source>
+            <translation>строка %1: %2 не может отсчитать так далеко</translation>
+        </message>
+        <message>
+            <source>line %1: %2 would come to %3, inside the core radius of %4; carve less deep</source>
+            <translation>строка %1: %2 пришла бы в %3, внутрь радиуса сердцевины %4; режьте мельче</translation>
+        </message>
+        <message>
+            <source>line %1: %2 would come to %3, its travel is %4 to %5; move the work offset</source>
+            <translation>строка %1: %2 пришла бы в %3, её ход от %4 до %5; сдвиньте смещение детали</translation>
+        </message>
+        <message>
+            <source>line %1: it would take more than %2 ms; change its feed or its dwell</source>
+            <translation>строка %1: это заняло бы больше %2 мс; измените подачу или выдержку</translation>
+        </message>
+        <message>
+            <source>line %1: the core does not know what this line asks for; is it another version?</source>
+            <translation>строка %1: ядро не знает, чего требует эта строка; не другая ли это версия?</translation>
+        </message>
+        <message>
+            <source>line %1: the program does not reach the core as it was read; start it again</source>
+            <translation>строка %1: программа доходит до ядра не такой, какой прочитана; запустите её снова</translation>
+        </message>
+        <message>
+            <source>line %1: the program goes on after its end</source>
+            <translation>строка %1: программа продолжается после своего конца</translation>
+        </message>
+        <message>
+            <source>line %1: the tips would be %2 apart, closer than head_clearance_mm, %3; carve less deep</source>
+            <translation>строка %1: между остриями было бы %2, меньше head_clearance_mm, %3; режьте мельче</translation>
+        </message>
+        <message>
+            <source>line %1: the tips, %2 apart at one end, would pass each other closer than head_clearance_mm, %3; move one head after the other</source>
+            <translation>строка %1: острия, между которыми на одном конце %2, прошли бы ближе head_clearance_mm, %3; двигайте головки по очереди</translation>
+        </message>
+        <message>
+            <source>line %1: the tolerance %2 is not between 0 and %3; change the P of G64</source>
+            <translation>строка %1: допуск %2 не лежит между 0 и %3; измените P в G64</translation>
         </message>
         <message>
             <source>linear</source>
@@ -6767,6 +6811,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ядро не проверило задание за %1 мс</translation>
         </message>
         <message>
+            <source>the core did not take the program's next step in time</source>
+            <translation>ядро не приняло вовремя следующий шаг программы</translation>
+        </message>
+        <message>
             <source>the core does not know this command; is it another version?</source>
             <translation>ядро не знает этой команды; не другая ли это версия?</translation>
         </message>
@@ -6785,6 +6833,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the core runs with another profile than %1; start it with that one</source>
             <translation>ядро работает с другим профилем, не с %1; запустите его с этим</translation>
+        </message>
+        <message>
+            <source>the core takes no more of this program; start it again</source>
+            <translation>ядро больше не принимает эту программу; запустите её снова</translation>
         </message>
         <message>
             <source>the core was replaced before it did this</source>
@@ -6977,6 +7029,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
+        </message>
+        <message>
+            <source>the program breaks off behind line %1: who read it is gone; start it again</source>
+            <translation>программа обрывается за строкой %1: читавшего её процесса больше нет; запустите её снова</translation>
+        </message>
+        <message>
+            <source>the program does not reach the core as it was read; start it again</source>
+            <translation>программа доходит до ядра не такой, какой прочитана; запустите её снова</translation>
         </message>
         <message>
             <source>the published job is damaged; publish it again</source>

@@ -4944,6 +4944,10 @@ N、Shift+N  下一条、上一条记录
             <translation>作业正在运行（%1）；请停止或等待其结束</translation>
         </message>
         <message>
+            <source>a layer is a whole number</source>
+            <translation>层号须为整数</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>每层需要高度和至少两个半径</translation>
         </message>
@@ -5154,6 +5158,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>another process has the pins recorded, or this core cannot record them</source>
             <translation>另一进程正在记录引脚，或此内核不能记录</translation>
+        </message>
+        <message>
+            <source>another program is being sent (process %1); wait for its end</source>
+            <translation>正在发送另一个程序（进程 %1）；请等它结束</translation>
         </message>
         <message>
             <source>another run than that of the layer's first point</source>
@@ -5848,10 +5856,6 @@ N、Shift+N  下一条、上一条记录
             <translation>层数</translation>
         </message>
         <message>
-            <source>a layer is a whole number</source>
-            <translation>层号须为整数</translation>
-        </message>
-        <message>
             <source>layers do not count on by one</source>
             <translation>层号不连续</translation>
         </message>
@@ -5906,6 +5910,46 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>line %1</source>
             <translation>第 %1 行</translation>
+        </message>
+        <message>
+            <source>line %1: %2 cannot count so far</source>
+            <translation>第 %1 行：%2 无法计数到那么远</translation>
+        </message>
+        <message>
+            <source>line %1: %2 would come to %3, inside the core radius of %4; carve less deep</source>
+            <translation>第 %1 行：%2 将到达 %3，在芯半径 %4 之内；请雕浅一些</translation>
+        </message>
+        <message>
+            <source>line %1: %2 would come to %3, its travel is %4 to %5; move the work offset</source>
+            <translation>第 %1 行：%2 将到达 %3，其行程为 %4 至 %5；请移动工件偏置</translation>
+        </message>
+        <message>
+            <source>line %1: it would take more than %2 ms; change its feed or its dwell</source>
+            <translation>第 %1 行：耗时将超过 %2 ms；请更改进给或停留时间</translation>
+        </message>
+        <message>
+            <source>line %1: the core does not know what this line asks for; is it another version?</source>
+            <translation>第 %1 行：内核不认识此行的要求；是否版本不同？</translation>
+        </message>
+        <message>
+            <source>line %1: the program does not reach the core as it was read; start it again</source>
+            <translation>第 %1 行：程序没有原样到达内核；请重新启动程序</translation>
+        </message>
+        <message>
+            <source>line %1: the program goes on after its end</source>
+            <translation>第 %1 行：程序在其结尾之后仍在继续</translation>
+        </message>
+        <message>
+            <source>line %1: the tips would be %2 apart, closer than head_clearance_mm, %3; carve less deep</source>
+            <translation>第 %1 行：刀尖将相距 %2，小于 head_clearance_mm（%3）；请雕浅一些</translation>
+        </message>
+        <message>
+            <source>line %1: the tips, %2 apart at one end, would pass each other closer than head_clearance_mm, %3; move one head after the other</source>
+            <translation>第 %1 行：刀尖在一端相距 %2，途中将近于 head_clearance_mm（%3）；请让两个刀头先后移动</translation>
+        </message>
+        <message>
+            <source>line %1: the tolerance %2 is not between 0 and %3; change the P of G64</source>
+            <translation>第 %1 行：公差 %2 不在 0 与 %3 之间；请更改 G64 的 P</translation>
         </message>
         <message>
             <source>linear</source>
@@ -6760,6 +6804,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内核未在 %1 ms 内检查完作业</translation>
         </message>
         <message>
+            <source>the core did not take the program's next step in time</source>
+            <translation>内核未能及时接收程序的下一步</translation>
+        </message>
+        <message>
             <source>the core does not know this command; is it another version?</source>
             <translation>内核不认识此命令；是否版本不同？</translation>
         </message>
@@ -6778,6 +6826,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the core runs with another profile than %1; start it with that one</source>
             <translation>内核使用的配置不是 %1；请用它启动内核</translation>
+        </message>
+        <message>
+            <source>the core takes no more of this program; start it again</source>
+            <translation>内核不再接收此程序；请重新启动程序</translation>
         </message>
         <message>
             <source>the core was replaced before it did this</source>
@@ -6845,7 +6897,7 @@ N、Shift+N  下一条、上一条记录
         </message>
         <message>
             <source>the guard process ended; start the core again</source>
-            <translation>看护进程已结束；请重新启动核心</translation>
+            <translation>看护进程已结束；请重新启动内核</translation>
         </message>
         <message>
             <source>the job has no such layer</source>
@@ -6970,6 +7022,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>配置长 %1 字节；最多 %2 字节</translation>
+        </message>
+        <message>
+            <source>the program breaks off behind line %1: who read it is gone; start it again</source>
+            <translation>程序在第 %1 行之后中断：读取程序的进程已不在；请重新启动程序</translation>
+        </message>
+        <message>
+            <source>the program does not reach the core as it was read; start it again</source>
+            <translation>程序没有原样到达内核；请重新启动程序</translation>
         </message>
         <message>
             <source>the published job is damaged; publish it again</source>

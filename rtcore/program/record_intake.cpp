@@ -14,8 +14,7 @@ Supply RecordIntake::next(plan::ProgramStep& step) {
         // It may have put more between our look and its end.
         answer = feed_.take(record);
         if (answer == RingAnswer::not_yet) {
-            return finish(Supply::lost, line_,
-                          message_of(MessageId::program_lost, count_argument(line_)));
+            return finish(Supply::lost, line_, message_of(MessageId::program_lost, count_argument(line_)));
         }
     }
     if (answer == RingAnswer::not_yet) return Supply::later;
@@ -42,8 +41,7 @@ Supply RecordIntake::take(RingAnswer answer, const MotionRecord& record, plan::P
 Message RecordIntake::fault_of(RingAnswer answer, const MotionRecord& record,
                                plan::ProgramStep& step) const noexcept {
     const Argument line = count_argument(record.line);
-    if (answer == RingAnswer::torn)
-        return message_of(MessageId::program_record_torn, count_argument(line_));
+    if (answer == RingAnswer::torn) return message_of(MessageId::program_record_torn, count_argument(line_));
     if (answer != RingAnswer::done) return message_of(MessageId::program_ring_damaged);
     if (record.program != feed_.program()) {
         return message_of(MessageId::program_record_foreign, line, count_argument(record.program),

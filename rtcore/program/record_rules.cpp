@@ -126,11 +126,11 @@ Message RecordRules::judge_place(std::uint64_t line, Axis axis, std::int64_t pos
 }
 
 // The sum s of both heads' positions is how far their tips are apart. With w from 0 to 1 along the way,
-// s(w) = s(0) + w * (s(1) - s(0)): a straight line, so for every w between the ends s(w) >= min(s(0), s(1)), and
-// if both ends keep a distance, all of the straight way does. What moves are pulses, though. A head's position
-// is its straight one rounded to a pulse, and rounding keeps the order of two numbers. Where both heads go the
-// same way, or one stands, the rounded sum therefore rises or falls all along, and is least at an end. Where
-// one goes in and the other out, each may be half a pulse further in than its straight position
+// s(w) = s(0) + w * (s(1) - s(0)): a straight line, so for every w between the ends s(w) >= min(s(0), s(1)),
+// and if both ends keep a distance, all of the straight way does. What moves are pulses, though. A head's
+// position is its straight one rounded to a pulse, and rounding keeps the order of two numbers. Where both
+// heads go the same way, or one stands, the rounded sum therefore rises or falls all along, and is least at
+// an end. Where one goes in and the other out, each may be half a pulse further in than its straight position
 // (DualHeadDda), and the sum by half a pulse of each head less than at either end. So such a way has to keep
 // half a pulse of each more at its ends, and no pulse of any way stands closer than what a table may ask for:
 // the clearance, less the rounding of its two radii.

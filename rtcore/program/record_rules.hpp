@@ -25,7 +25,8 @@ public:
 
     /// `at`: where all axes are before it. No message: the record is good, and `step` is what it asks for.
     /// Otherwise `step` is not to be used.
-    Message judge(const MotionRecord& record, const plan::Pulses4& at, plan::ProgramStep& step) const noexcept;
+    Message judge(const MotionRecord& record, const plan::Pulses4& at,
+                  plan::ProgramStep& step) const noexcept;
 
 private:
     Message judge_way(const MotionRecord& record, const plan::Pulses4& at,

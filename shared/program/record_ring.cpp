@@ -23,10 +23,10 @@ std::uint64_t room_to_wake_for(const RecordRing& ring) noexcept {
 
 }  // namespace
 
-// Who is to be woken: each side stores its index and then loads the other's, both sequentially consistent, and
-// who is about to sleep has looked likewise before. So either the sleeper sees the new index, or the other
-// side sees that it is the sleeper's turn, and signals; the event's counter keeps a signal that comes between
-// look and sleep. Where a partner is dead or lies, every sleep has its limit.
+// Who is to be woken: each side stores its index and then loads the other's, both sequentially consistent,
+// and who is about to sleep has looked likewise before. So either the sleeper sees the new index, or the
+// other side sees that it is the sleeper's turn, and signals; the event's counter keeps a signal that comes
+// between look and sleep. Where a partner is dead or lies, every sleep has its limit.
 
 RecordWriter::RecordWriter(const RecordRing& ring, std::uint64_t first) noexcept
     : ring_(ring), written_(first), taken_seen_(first) {}

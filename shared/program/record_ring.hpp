@@ -13,12 +13,12 @@
 namespace psicarve {
 
 // A queue of motion records between two processes: one writes, one reads, in shared memory that either may
-// have overwritten. Each side keeps its own index and the capacity to itself; of the other's index it believes
-// nothing but what the capacity allows. A record is copied out before anybody looks at it. Nothing here
-// allocates or has an owner, so no process that dies leaves it locked. Not for the tick.
+// have overwritten. Each side keeps its own index and the capacity to itself; of the other's index it
+// believes nothing but what the capacity allows. A record is copied out before anybody looks at it. Nothing
+// here allocates or has an owner, so no process that dies leaves it locked. Not for the tick.
 //
-//     index    ... taken ........... written ...        written - taken <= capacity, whatever 2^64 does to both
-//     record       | to be taken    | free
+//     index    ... taken ........... written ...        written - taken <= capacity, whatever 2^64 does to
+//     both record       | to be taken    | free
 
 inline constexpr std::uint32_t kLeastRingRecords = 64;
 inline constexpr std::uint32_t kMostRingRecords = 65'536;

@@ -184,7 +184,7 @@ static_assert(sizeof(ProgramRefusal) == 408 && std::is_trivially_copyable_v<Prog
 /// word. The records stand behind the header.
 struct ProgramControl {
     RingEnds ends;
-    AtomicWord64 claim;             ///< writer's pid in the high half, a number in the low one; 0: none writes
+    AtomicWord64 claim;  ///< writer's pid in the high half, a number in the low one; 0: none writes
     AtomicWord64 claim_start_time;  ///< as in ProcessIdentity; 0: not known (yet)
     AtomicWord64 next_claim;        ///< by whoever claims, by adding 1
     AtomicWord64 asked;             ///< the claim that waits for a program's number; the core makes it 0
@@ -252,7 +252,8 @@ struct SegmentGeometry {
 };
 inline constexpr std::uint32_t kMaxCapacityLayers = kMaxJobCount;
 inline constexpr std::uint32_t kMaxCapacityPoints = kMaxJobCount;
-/// Requires capacities of at least 1 and within kMaxCapacity..., and is_ring_capacity; then nothing overflows.
+/// Requires capacities of at least 1 and within kMaxCapacity..., and is_ring_capacity; then nothing
+/// overflows.
 SegmentGeometry segment_geometry(std::uint32_t capacity_layers, std::uint32_t capacity_points,
                                  std::uint32_t capacity_records = kDefaultRingRecords) noexcept;
 

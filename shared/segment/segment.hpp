@@ -23,7 +23,7 @@ struct SegmentOptions {
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::uint32_t capacity_records = kDefaultRingRecords;  ///< of the ring of a program
-    std::string group;  ///< mode 0660 and this group instead of 0600
+    std::string group;                                     ///< mode 0660 and this group instead of 0600
     /// The name belongs to this program: it replaces an object whose contents are truncated or overwritten.
     bool replaces_damaged = false;
     /// How long another process may take to make the segment.

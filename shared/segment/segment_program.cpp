@@ -63,8 +63,8 @@ Result<ProgramWriter> ProgramWriter::claim(Segment& segment) {
             return ProgramWriter{segment, ours};
         }
         if (is_claimant_alive(control, found)) {
-            return error_from(ErrorCode::machine_refused, message_of(MessageId::program_has_writer,
-                                                                     count_argument(pid_of_claim(found))));
+            return error_from(ErrorCode::machine_refused,
+                              message_of(MessageId::program_has_writer, count_argument(pid_of_claim(found))));
         }
         free_claim(control, found);
     }
@@ -188,9 +188,9 @@ Error ProgramWriter::error_of(ProgramPut answer) const {
     }
     const ProgramReport report = segment_ != nullptr ? program_report(*segment_) : ProgramReport{};
     const bool is_ours = report.refusal && report.refusal->program == program_;
-    return error_from(ErrorCode::machine_refused,
-                      answer == ProgramPut::over && is_ours ? report.refusal->said
-                                                            : message_of(MessageId::program_is_over));
+    return error_from(ErrorCode::machine_refused, answer == ProgramPut::over && is_ours
+                                                      ? report.refusal->said
+                                                      : message_of(MessageId::program_is_over));
 }
 
 void ProgramWriter::close() noexcept {

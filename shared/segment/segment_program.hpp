@@ -79,8 +79,8 @@ struct ProgramReport {
     std::uint32_t writer_pid = 0;  ///< who has the claim, alive or not; 0: nobody
     std::uint64_t running = 0;     ///< the program whose records the core takes; 0: of none
     std::uint64_t starvations = 0;
-    ProgramProgress progress{};                ///< of the program that runs, or ran last
-    std::optional<ProgramRefusal> refusal{};   ///< of that program
+    ProgramProgress progress{};               ///< of the program that runs, or ran last
+    std::optional<ProgramRefusal> refusal{};  ///< of that program
 };
 ProgramReport program_report(const Segment& segment) noexcept;
 
@@ -99,8 +99,8 @@ public:
     RingAnswer take(MotionRecord& record) noexcept { return reader_.take(record); }
     RingAnswer wait_for(std::chrono::nanoseconds limit) noexcept { return reader_.wait_for(limit); }
     std::uint64_t queued() noexcept { return reader_.queued(); }
-    /// Nothing more comes, for certain: the program is closed, or its writer is dead or has let go. What it put
-    /// before that can be taken: look at the ring once more after this was true.
+    /// Nothing more comes, for certain: the program is closed, or its writer is dead or has let go. What it
+    /// put before that can be taken: look at the ring once more after this was true.
     bool is_left() const noexcept;
 
     void say(std::uint64_t taken, std::uint64_t line, ProgramEnd end) noexcept;

@@ -115,12 +115,13 @@ TEST(RecordRing, ARecordThatDoesNotBearOutItsCheckIsTorn) {
 
 TEST(RecordRing, AWritersIndexThatCannotBeIsNeverFollowed) {
     // Of a ring of 64 in which 10 are written and 4 taken: 10 to 68 can be.
-    for (const std::uint64_t foreign : {std::uint64_t{0}, std::uint64_t{3}, std::uint64_t{9}, std::uint64_t{69},
-                                        std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    for (const std::uint64_t foreign : {std::uint64_t{0}, std::uint64_t{3}, std::uint64_t{9},
+                                        std::uint64_t{69}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
         RingInMemory ring;
         RecordWriter writer{ring.get(), 0};
         RecordReader reader{ring.get(), 0};
-        for (std::uint64_t i = 1; i <= 10; ++i) ASSERT_EQ(writer.try_put(numbered_record(i)), RingAnswer::done);
+        for (std::uint64_t i = 1; i <= 10; ++i)
+            ASSERT_EQ(writer.try_put(numbered_record(i)), RingAnswer::done);
         MotionRecord record{};
         for (int i = 0; i < 4; ++i) ASSERT_EQ(reader.take(record), RingAnswer::done);
 
@@ -139,7 +140,8 @@ TEST(RecordRing, AReadersIndexThatCannotBeIsNeverFollowed) {
         RingInMemory ring;
         RecordWriter writer{ring.get(), 0};
         RecordReader reader{ring.get(), 0};
-        for (std::uint64_t i = 1; i <= 64; ++i) ASSERT_EQ(writer.try_put(numbered_record(i)), RingAnswer::done);
+        for (std::uint64_t i = 1; i <= 64; ++i)
+            ASSERT_EQ(writer.try_put(numbered_record(i)), RingAnswer::done);
         MotionRecord record{};
         for (int i = 0; i < 20; ++i) ASSERT_EQ(reader.take(record), RingAnswer::done);
         ASSERT_EQ(writer.queued(), 44U);

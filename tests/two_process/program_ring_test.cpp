@@ -180,6 +180,16 @@ TEST_F(ProgramRing, AWriterKilledOrStoppedAtAHundredInstantsLosesNothingThatItPu
     EXPECT_GT(in_all, 5'000U);
 }
 
+TEST_F(ProgramRing, AForkedChildLeavesItsParentsClaimAlone) {
+    make_segment(64);
+    ProgramWriter writer = ProgramWriter::claim(*segment_).value();
+    ChildProcess child{[&](const ChildProcess::Signal&) { writer.release(); }};
+
+    EXPECT_TRUE(child.ends_well());
+
+    EXPECT_FALSE(ProgramWriter::claim(*segment_).has_value());
+}
+
 TEST_F(ProgramRing, AWriterThatWaitsForRoomHearsWithinALookThatTheCoreIsDead) {
     SegmentOptions options = name_.options();
     options.capacity_records = 64;
@@ -197,7 +207,8 @@ TEST_F(ProgramRing, AWriterThatWaitsForRoomHearsWithinALookThatTheCoreIsDead) {
     ASSERT_TRUE(writer.begin(kPatience).has_value());
     for (std::uint64_t i = 1; i <= 64; ++i) ASSERT_EQ(writer.put(numbered_record(i)), ProgramPut::done);
     core.stop();
-    EXPECT_EQ(writer.put_for(numbered_record(65), milliseconds{1}), ProgramPut::full) << "stopped is not dead";
+    EXPECT_EQ(writer.put_for(numbered_record(65), milliseconds{1}), ProgramPut::full)
+        << "stopped is not dead";
     std::thread killer{[&] {
         std::this_thread::sleep_for(milliseconds{5});
         core.kill();

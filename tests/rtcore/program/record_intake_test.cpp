@@ -22,7 +22,8 @@ protected:
     RecordIntakeTest() : writer_(program_.ring(), 0), sut_(program_.feed(), profile_, start_) {}
 
     /// As a writer would that makes each record right in itself.
-    void put(MotionRecord record, const std::function<void(MotionRecord&)>& change = [](MotionRecord&) {}) {
+    void put(
+        MotionRecord record, const std::function<void(MotionRecord&)>& change = [](MotionRecord&) {}) {
         change(record);
         record.check = record_check(record);
         ASSERT_EQ(writer_.try_put(record), RingAnswer::done);

@@ -43,7 +43,8 @@ void RecordMutation::mutate(test::ProgramInMemory& program, std::size_t at) {
         most = kLeastRingRecords * sizeof(RingRecord);
     }
     std::size_t count = random_() % 3 == 0 ? 1 + random_() % 12 : 1;
-    for (; count > 0 && at < most; --count, ++at) bytes[at] ^= static_cast<unsigned char>(1 + random_() % 255);
+    for (; count > 0 && at < most; --count, ++at)
+        bytes[at] ^= static_cast<unsigned char>(1 + random_() % 255);
 }
 
 void RecordMutation::run(std::size_t at, std::uint64_t when) {

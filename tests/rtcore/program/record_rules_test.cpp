@@ -20,8 +20,8 @@
 namespace psicarve::program {
 namespace {
 
-using plan::Pulses4;
 using plan::ProgramStep;
+using plan::Pulses4;
 using test::positions;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -111,7 +111,8 @@ TEST_F(RecordRulesTest, OtherKindsBecomeStepsWhereTheMachineStands) {
 }
 
 TEST_F(RecordRulesTest, WhatIsNotKnownIsRefused) {
-    const auto expect_unknown = [&](const MotionRecord& record, const std::function<void(MotionRecord&)>& how) {
+    const auto expect_unknown = [&](const MotionRecord& record,
+                                    const std::function<void(MotionRecord&)>& how) {
         EXPECT_EQ(judge(record, how), MessageId::program_record_unknown);
     };
     for (const int kind : {0, 6, 255})
@@ -173,7 +174,8 @@ TEST_F(RecordRulesTest, EveryAxisEndsWithinItsTravelToThePulse) {
         target[index_of(axis)] = last_mm + 0.6 * pulse_mm;
         EXPECT_EQ(judge(way_to(bit(axis), target)), MessageId::program_outside_travel);
     }
-    EXPECT_EQ(judge(way_to(bit(Axis::y), positions(0.0, 0.0, -0.002, 0.0))), MessageId::program_outside_travel);
+    EXPECT_EQ(judge(way_to(bit(Axis::y), positions(0.0, 0.0, -0.002, 0.0))),
+              MessageId::program_outside_travel);
     EXPECT_EQ(judge(way_to(bit(Axis::y), positions(0.0, 0.0, 0.0, 0.0))), MessageId::none);
     // It does not matter what a number says of an axis that the record does not name.
     EXPECT_EQ(judge(way_to(bit(Axis::y), positions(1e300, -5.0, 10.0, 1e300))), MessageId::none);
@@ -181,9 +183,12 @@ TEST_F(RecordRulesTest, EveryAxisEndsWithinItsTravelToThePulse) {
 
 TEST_F(RecordRulesTest, PsiTurnsAsFarAsItCanBeCounted) {
     EXPECT_EQ(judge(way_to(bit(Axis::psi), positions(0.0, 0.0, 0.0, 3.8e9))), MessageId::none);
-    EXPECT_EQ(judge(way_to(bit(Axis::psi), positions(0.0, 0.0, 0.0, 3.9e9))), MessageId::program_cannot_count_so_far);
-    EXPECT_EQ(judge(way_to(bit(Axis::psi), positions(0.0, 0.0, 0.0, -1e308))), MessageId::program_cannot_count_so_far);
-    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(1e308, 0.0, 0.0, 0.0))), MessageId::program_cannot_count_so_far);
+    EXPECT_EQ(judge(way_to(bit(Axis::psi), positions(0.0, 0.0, 0.0, 3.9e9))),
+              MessageId::program_cannot_count_so_far);
+    EXPECT_EQ(judge(way_to(bit(Axis::psi), positions(0.0, 0.0, 0.0, -1e308))),
+              MessageId::program_cannot_count_so_far);
+    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(1e308, 0.0, 0.0, 0.0))),
+              MessageId::program_cannot_count_so_far);
 }
 
 TEST_F(RecordRulesTest, NoHeadComesIntoTheCore) {
@@ -196,7 +201,8 @@ TEST_F(RecordRulesTest, NoHeadComesIntoTheCore) {
     }
     profile_.r1.tip_offset_mm = 0.5;
     EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(1.0, 0.0, 0.0, 0.0))), MessageId::none);
-    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(0.997, 0.0, 0.0, 0.0))), MessageId::program_inside_core_radius);
+    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(0.997, 0.0, 0.0, 0.0))),
+              MessageId::program_inside_core_radius);
 }
 
 class RecordRulesOfTips : public RecordRulesTest {
@@ -213,28 +219,34 @@ protected:
 
 TEST_F(RecordRulesOfTips, KeepTheClearanceLessTheRoundingOfTwoRadii) {
     EXPECT_EQ(judge(way_to(kHeadBits, positions(4.0, 3.75, 0.0, 0.0))), MessageId::none);
-    EXPECT_EQ(judge(way_to(kHeadBits, positions(4.0, 3.7475, 0.0, 0.0))), MessageId::none) << "half a pulse each";
+    EXPECT_EQ(judge(way_to(kHeadBits, positions(4.0, 3.7475, 0.0, 0.0))), MessageId::none)
+        << "half a pulse each";
     EXPECT_EQ(judge(way_to(kHeadBits, positions(4.0, 3.745, 0.0, 0.0))), MessageId::program_tips_too_close);
 }
 
 TEST_F(RecordRulesOfTips, AreJudgedWhereOneHeadMovesAlone) {
     stand_at(4.0, 30.0);
-    EXPECT_EQ(judge(way_to(bit(Axis::r2), positions(0.0, 3.745, 0.0, 0.0))), MessageId::program_tips_too_close);
+    EXPECT_EQ(judge(way_to(bit(Axis::r2), positions(0.0, 3.745, 0.0, 0.0))),
+              MessageId::program_tips_too_close);
 }
 
 TEST_F(RecordRulesOfTips, AreNotJudgedWhereNoHeadMoves) {
     stand_at(2.0, 2.0);
     EXPECT_EQ(judge(way_to(bit(Axis::y), positions(0.0, 0.0, 20.0, 0.0))), MessageId::none);
-    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(2.0, 0.0, 0.0, 0.0))), MessageId::none) << "it goes nowhere";
+    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(2.0, 0.0, 0.0, 0.0))), MessageId::none)
+        << "it goes nowhere";
     EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(2.1, 0.0, 0.0, 0.0))), MessageId::program_tips_too_close);
-    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(20.0, 0.0, 0.0, 0.0))), MessageId::none) << "it leads out of it";
+    EXPECT_EQ(judge(way_to(bit(Axis::r1), positions(20.0, 0.0, 0.0, 0.0))), MessageId::none)
+        << "it leads out of it";
 }
 
 TEST_F(RecordRulesOfTips, HaveAPulseMoreWhereOneHeadGoesInAndTheOtherOut) {
     stand_at(4.0, 3.75);
-    EXPECT_EQ(judge(way_to(kHeadBits, positions(2.0, 5.75, 0.0, 0.0))), MessageId::none) << "to the clearance itself";
+    EXPECT_EQ(judge(way_to(kHeadBits, positions(2.0, 5.75, 0.0, 0.0))), MessageId::none)
+        << "to the clearance itself";
     stand_at(4.0, 3.7475);
-    EXPECT_EQ(judge(way_to(kHeadBits, positions(2.0, 6.0, 0.0, 0.0))), MessageId::program_tips_pass_too_close);
+    EXPECT_EQ(judge(way_to(kHeadBits, positions(2.0, 6.0, 0.0, 0.0))),
+              MessageId::program_tips_pass_too_close);
     EXPECT_EQ(judge(way_to(kHeadBits, positions(4.5, 4.0, 0.0, 0.0))), MessageId::none) << "both go out";
 }
 
@@ -283,12 +295,12 @@ TEST(RecordRulesSweep, NoPulseOfAGoodWayBreaksALimitAndTheRestIsRefused) {
         ProgramStep step;
         for (int i = 0; i < 2; ++i) {
             MotionRecord record = way_to(static_cast<std::uint8_t>(random() % 16), {});
-            record.target =
-                positions(between(-1.0, 12.0), between(-1.0, 12.0), between(-2.0, 152.0), between(-40.0, 40.0));
+            record.target = positions(between(-1.0, 12.0), between(-1.0, 12.0), between(-2.0, 152.0),
+                                      between(-40.0, 40.0));
             // Often as near to each other as they may.
             if (random() % 2 == 0) {
-                record.target[1] = profile.head_clearance_mm - profile.r1.tip_mm() - record.target[0] +
-                                   between(-0.03, 0.03);
+                record.target[1] =
+                    profile.head_clearance_mm - profile.r1.tip_mm() - record.target[0] + between(-0.03, 0.03);
                 ++narrow;
             }
             const Message said = rules.judge(record, at, step);

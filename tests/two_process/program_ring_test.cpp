@@ -106,7 +106,7 @@ protected:
     }
 
     test::SegmentName name_;
-    const Profile profile_;
+    const Profile profile_{};
     std::optional<Segment> segment_;
     std::optional<ProgramDesk> desk_;
 };

@@ -27,7 +27,7 @@ protected:
     void mutate(test::ProgramInMemory& program, std::size_t at);
 
     std::mt19937 random_{40977};
-    const Profile profile_;
+    const Profile profile_{};
     int ended_ = 0;
     int refused_ = 0;
     int other_ = 0;

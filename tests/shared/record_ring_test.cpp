@@ -129,6 +129,7 @@ TEST(RecordRing, AWritersIndexThatCannotBeIsNeverFollowed) {
 
         EXPECT_EQ(reader.take(record), RingAnswer::broken) << foreign;
         ring.ends().written.store(10);
+        EXPECT_EQ(reader.wait_for(milliseconds{0}), RingAnswer::broken);
         EXPECT_EQ(reader.take(record), RingAnswer::broken) << "it is never believed again, " << foreign;
     }
 }
@@ -150,6 +151,8 @@ TEST(RecordRing, AReadersIndexThatCannotBeIsNeverFollowed) {
 
         (void)writer.queued();
         EXPECT_EQ(writer.try_put(numbered_record(65)), RingAnswer::broken) << foreign;
+        ring.ends().taken.store(20);
+        (void)writer.queued();
         EXPECT_EQ(writer.put_for(numbered_record(65), milliseconds{60'000}), RingAnswer::broken);
     }
 }

@@ -42,7 +42,7 @@ struct MotionRecord {
     std::uint8_t code;
     std::uint8_t reserved[4];  ///< 0
     std::array<double, kAxisCount>
-        target;           ///< in machine positions: r1, r2, y in mm, psi in degrees with its turns
+        target;           ///< machine positions by Axis: r1, r2, y in mm, psi in degrees with its turns
     double seconds;       ///< way: the least that it may take, 0: as fast as the machine can; dwell: how long
     double tolerance_mm;  ///< way: how near its end must be passed (G64 P); 0: it is reached to the pulse, at
                           ///< rest

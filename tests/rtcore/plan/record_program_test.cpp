@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/record_program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "shared/base/units.hpp"
+#include "tests/rtcore/cycle/path_rig.hpp"
+#include "tests/rtcore/plan/scripted_source.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+using cycle::BlockKind;
+using cycle::MotionBlock;
+using test::random_program;
+using test::Script;
+using test::ScriptedSource;
+
+constexpr Pulses4 kStartPulses{6000, 6200, 100, 3000};
+
+std::vector<MotionBlock> program_blocks(const std::vector<ProgramStep>& steps, bool is_single = false,
+                                        const Profile& profile = {}, Supply at_the_end = Supply::ended) {
+    RecordProgram program(machine_limits(profile), std::make_shared<ScriptedSource>(steps, at_the_end),
+                          kStartPulses, is_single);
+    std::vector<MotionBlock> blocks;
+    MotionBlock block;
+    while (program.next(block)) blocks.push_back(block);
+    EXPECT_FALSE(program.is_waiting());
+    return blocks;
+}
+
+std::vector<BlockKind> kinds_of(const std::vector<MotionBlock>& blocks) {
+    std::vector<BlockKind> kinds;
+    for (const MotionBlock& block : blocks) kinds.push_back(block.kind);
+    return kinds;
+}
+
+double block_seconds(const MotionBlock& block, std::size_t timing) {
+    return 2.0 * block.path.length /
+           (std::sqrt(block.path.start_speed2[timing]) + std::sqrt(block.path.end_speed2[timing]));
+}
+
+bool is_same(const std::vector<MotionBlock>& a, const std::vector<MotionBlock>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a.front()) == 0;
+}
+
+TEST(RecordProgram, ReachesEveryExactEndToThePulseAtRest) {
+    std::mt19937_64 random{11};
+    Script script{kStartPulses};
+    for (int i = 0; i < 60; ++i) {
+        const auto part = [&] { return static_cast<std::int64_t>(random() % 401) - 200; };
+        script.way({part(), part(), part(), part()}, i % 4 == 0 ? 0.0 : 0.02);
+    }
+    script.way({7, 0, 0, 0}, 0.0).end();
+    std::map<std::uint64_t, Pulses4> rests;  // by line: where a run that ends in it ends
+    Pulses4 at = kStartPulses;
+    std::uint32_t left = 0;
+    for (const MotionBlock& block : program_blocks(script.steps)) {
+        if (block.kind != BlockKind::path) continue;
+        if (block.group_blocks > 0) {
+            ASSERT_EQ(left, 0U);
+            left = block.group_blocks;
+        }
+        for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
+        if (--left == 0) rests[program_line(block)] = at;
+    }
+    for (const ProgramStep& step : script.steps) {
+        if (step.kind != MotionKind::way) continue;
+        const auto rest = rests.find(step.line);
+        if (step.tolerance_mm == 0.0) {
+            ASSERT_NE(rest, rests.end()) << "line " << step.line;
+        }
+        if (rest == rests.end()) continue;
+        EXPECT_EQ(rest->second, step.target_pulses) << "line " << step.line;
+    }
+    EXPECT_EQ(at, script.at());
+}
+
+// v^2/2a each way, and v between them, but for what is kept back of both for whole pulses in whole ticks.
+TEST(RecordProgram, TakesAsLongForAStraightWayAsItsMotorTakesAtBest) {
+    Profile profile;
+    const MachineLimits limits = machine_limits(profile);
+    const AxisMotion& axis = limits.axes[0];
+    Script script{kStartPulses};
+    script.way({-4000, 0, 0, 0}, 0.0).end();
+    const auto blocks = program_blocks(script.steps);
+    double seconds = 0.0;
+    for (const MotionBlock& block : blocks) {
+        if (block.kind == BlockKind::path) seconds += block_seconds(block, 0);
+    }
+    const double v = 0.998 * axis.speed_pps;
+    const double a = 0.985 * axis.accel_pps2;
+    const double j = 0.5 * axis.start_stop_pps;
+    const double best_s = 2.0 * (v - j) / a + (4000.0 - (v * v - j * j) / a) / v;
+    EXPECT_NEAR(seconds, best_s, 1e-9);
+    EXPECT_EQ(kinds_of(blocks), (std::vector{BlockKind::path, BlockKind::path, BlockKind::path,
+                                             BlockKind::outputs, BlockKind::program_end}));
+}
+
+TEST(RecordProgram, NeverTakesLessTimeThanAWayAsksFor) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const Script script = random_program(seed, kStartPulses, 80);
+        std::map<std::uint64_t, std::array<double, 2>> seconds;
+        for (const MotionBlock& block : program_blocks(script.steps)) {
+            if (block.kind != BlockKind::path) continue;
+            for (std::size_t timing = 0; timing < 2; ++timing)
+                seconds[program_line(block)][timing] += block_seconds(block, timing);
+        }
+        for (const ProgramStep& step : script.steps) {
+            if (step.kind != MotionKind::way || !seconds.contains(step.line)) continue;
+            const auto& took = seconds[step.line];
+            ASSERT_GE(took[0], step.seconds * 0.9999) << "seed " << seed << " line " << step.line;
+            const double at_twice = step.is_rapid ? step.seconds : 0.5 * step.seconds;
+            ASSERT_GE(took[1], at_twice * 0.9999) << "seed " << seed << " line " << step.line;
+            ASSERT_LE(took[1], took[0] * 1.0001);
+        }
+    }
+}
+
+TEST(RecordProgram, KeepsEveryAxisWithinItsLimits) {
+    const MachineLimits limits = machine_limits(Profile{});
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        double end2 = 0.0;
+        std::uint32_t left = 0;
+        for (const MotionBlock& block : program_blocks(random_program(seed, kStartPulses, 120).steps)) {
+            if (block.kind != BlockKind::path) continue;
+            ASSERT_TRUE(cycle::can_end(block.path));
+            if (left == 0) {
+                left = block.group_blocks;
+                for (std::size_t k = 0; k < kAxisCount; ++k) {
+                    const double pulses = std::abs(static_cast<double>(block.delta_pulses[k])) - 1.0;
+                    const double jump = std::sqrt(block.path.start_speed2[0]) / block.path.length;
+                    EXPECT_LE(pulses * jump, 0.5 * limits.axes[k].start_stop_pps * 1.02);
+                }
+            } else {
+                ASSERT_EQ(block.group_blocks, 0U);
+                ASSERT_NEAR(block.path.start_speed2[0], end2, 1e-9);
+            }
+            --left;
+            end2 = block.path.end_speed2[0];
+            for (std::size_t timing = 0; timing < 2; ++timing) {
+                for (std::size_t k = 0; k < kAxisCount; ++k) {
+                    const double pulses = std::abs(static_cast<double>(block.delta_pulses[k])) - 1.0;
+                    EXPECT_LE(pulses / block_seconds(block, timing), limits.axes[k].speed_pps * 1.001);
+                }
+            }
+        }
+        EXPECT_EQ(left, 0U);
+    }
+}
+
+/// Where every axis is after each tick.
+std::vector<Pulses4> ticked(const std::vector<MotionBlock>& blocks, const MachineLimits& limits,
+                            std::vector<std::uint64_t>* lines = nullptr) {
+    cycle::PathRig rig{limits.tick};
+    rig.pulses.set_enables(0xF, 0);
+    for (const MotionBlock& block : blocks) {
+        if (block.kind == BlockKind::path || block.kind == BlockKind::program_end)
+            rig.program.push_back(block);
+    }
+    for (std::size_t k = 0; k < kAxisCount; ++k) rig.pulses.set_position(k, kStartPulses[k]);
+    std::vector<Pulses4> places;
+    for (int n = 0; n < 20'000'000; ++n) {
+        const auto progress = rig.tick();
+        places.push_back(rig.pulses.positions());
+        if (lines != nullptr) lines->push_back(rig.executor.program_line());
+        EXPECT_EQ(progress & cycle::Executor::kStarved, 0U);
+        if ((progress & (cycle::Executor::kProgramEnd | cycle::Executor::kStarved)) != 0) return places;
+    }
+    ADD_FAILURE() << "it does not end";
+    return places;
+}
+
+// The quick test of what pulses must obey, at windows from 5 to 100 ms; rests and turns may jump.
+TEST(RecordProgram, AsksNoMotorForMoreThanItsAcceleration) {
+    const MachineLimits limits = machine_limits(Profile{});
+    const double tick_s = limits.tick_seconds();
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const auto places = ticked(program_blocks(random_program(seed, kStartPulses, 120).steps), limits);
+        for (const double window_s : {0.005, 0.02, 0.1}) {
+            const auto w = static_cast<std::size_t>(window_s / tick_s);
+            for (std::size_t k = 0; k < kAxisCount; ++k) {
+                const AxisMotion& axis = limits.axes[k];
+                // One jump of a motor that rests or turns round within the window.
+                const double most =
+                    axis.accel_pps2 * window_s * window_s + axis.start_stop_pps * window_s + 6.0;
+                for (std::size_t t = w; t + w < places.size(); t += 7) {
+                    const auto second =
+                        static_cast<double>(places[t + w][k] - 2 * places[t][k] + places[t - w][k]);
+                    ASSERT_LE(std::abs(second), most) << "seed " << seed << " axis " << k << " tick " << t;
+                }
+            }
+        }
+    }
+}
+
+/// From a place to the nearest of a way's neighbouring chords, in a head's space (r * psi, R, Y).
+double off_chords_mm(const MachineLimits& limits, const std::vector<Pulses4>& points, std::size_t way,
+                     const Pulses4& at, std::size_t head) {
+    const double radius_mm = static_cast<double>(at[head]) / limits.axes[head].pulses_per_unit;
+    const double psi_mm = rad_from_pulses(1, limits.pulses_per_rev) * radius_mm;
+    const auto place = [&](const Pulses4& p) {
+        return std::array{static_cast<double>(p[kPsi] - at[kPsi]) * psi_mm,
+                          static_cast<double>(p[head] - at[head]) / limits.axes[head].pulses_per_unit,
+                          static_cast<double>(p[kY] - at[kY]) / limits.axes[kY].pulses_per_unit};
+    };
+    double least_mm = 1e9;
+    for (std::size_t i = way > 1 ? way - 1 : way; i <= way + 1 && i < points.size(); ++i) {
+        const auto a = place(points[i - 1]);
+        const auto b = place(points[i]);
+        double along = 0.0;
+        double length2 = 0.0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            along -= a[d] * (b[d] - a[d]);
+            length2 += (b[d] - a[d]) * (b[d] - a[d]);
+        }
+        const double share = length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+        double off2 = 0.0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            const double off = a[d] + share * (b[d] - a[d]);
+            off2 += off * off;
+        }
+        least_mm = std::min(least_mm, std::sqrt(off2));
+    }
+    return least_mm;
+}
+
+TEST(RecordProgram, StaysWithinTheToleranceAndAPulseOfItsWays) {
+    const MachineLimits limits = machine_limits(Profile{});
+    const double pulse_mm = 1.0 / limits.axes[0].pulses_per_unit + 1.0 / limits.axes[kY].pulses_per_unit;
+    for (const unsigned axes : {0b0001U, 0b1001U, 0b0101U, 0b1101U}) {
+        for (const double tolerance_mm : {0.01, 0.1}) {
+            std::mt19937_64 random{17};
+            Script script{kStartPulses};
+            std::vector<Pulses4> points{kStartPulses};
+            for (int i = 0; i < 150; ++i) {
+                Pulses4 way{};
+                for (std::size_t k = 0; k < kAxisCount; ++k) {
+                    if ((axes >> k & 1U) != 0) way[k] = static_cast<std::int64_t>(random() % 161) - 80;
+                }
+                script.way(way, tolerance_mm);
+                points.push_back(script.at());
+            }
+            script.end();
+            std::vector<std::uint64_t> lines;
+            const auto places = ticked(program_blocks(script.steps), limits, &lines);
+            double worst_mm = 0.0;
+            for (std::size_t t = 0; t < places.size(); ++t) {
+                if (lines[t] == 0 || lines[t] >= points.size()) continue;
+                worst_mm = std::max(worst_mm, off_chords_mm(limits, points, lines[t], places[t], 0));
+            }
+            EXPECT_LE(worst_mm, tolerance_mm + pulse_mm) << "axes " << axes << " P " << tolerance_mm;
+        }
+    }
+}
+
+TEST(RecordProgram, NeverLeavesTheTravelOnItsWay) {
+    Profile profile;
+    const MachineLimits limits = machine_limits(profile);
+    const std::int64_t top = limits.tick.soft_limits.most_pulses[kY];
+    const Pulses4 start{6000, 6200, 100, top - 400};
+    Script script{start};
+    for (int i = 0; i < 40; ++i) {
+        const std::int64_t up = i % 2 == 0 ? 400 : -400;
+        script.way({i % 3 == 0 ? 300 : -150, 0, 0, up}, 0.5);
+    }
+    script.end();
+    RecordProgram program(limits, std::make_shared<ScriptedSource>(script.steps), start);
+    MotionBlock block;
+    Pulses4 at = start;
+    std::int64_t highest = 0;
+    while (program.next(block)) {
+        for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
+        highest = std::max(highest, at[kY]);
+    }
+    EXPECT_EQ(highest, top);
+    EXPECT_EQ(at, script.at());
+}
+
+// 200 programs, each as a writer with another mood gives it.
+TEST(RecordProgram, MakesTheSameBlocksWheneverItsStepsCome) {
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const auto steps = random_program(seed, kStartPulses, 60).steps;
+        const auto at_once = program_blocks(steps, seed % 5 == 0);
+        auto source = std::make_shared<ScriptedSource>(steps);
+        source->written = 0;
+        RecordProgram program(machine_limits(Profile{}), source, kStartPulses, seed % 5 == 0);
+        std::mt19937_64 random{seed};
+        std::vector<MotionBlock> blocks;
+        MotionBlock block;
+        for (;;) {
+            if (program.next(block)) {
+                blocks.push_back(block);
+            } else if (program.is_waiting()) {
+                source->written += random() % 4;
+            } else {
+                break;
+            }
+        }
+        ASSERT_TRUE(is_same(at_once, blocks)) << "seed " << seed;
+    }
+}
+
+TEST(RecordProgram, RestsAfterAWindowOfPointsAndHoldsNoMore) {
+    Script script{kStartPulses};
+    for (int i = 0; i < 5000; ++i) script.way({i % 200 < 100 ? 2 : -2, 0, 3, 0}, 0.01);
+    script.end();
+    auto source = std::make_shared<ScriptedSource>(script.steps);
+    RecordProgram program(machine_limits(Profile{}), source, kStartPulses);
+    MotionBlock block;
+    std::size_t most_ahead = 0;
+    int runs = 0;
+    while (program.next(block)) {
+        if (block.kind == BlockKind::path) {
+            most_ahead = std::max(most_ahead, source->taken() - program_line(block));
+            runs += block.group_blocks > 0 ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(runs, 3);
+    EXPECT_LE(most_ahead, RecordProgram::kWindowPoints);
+}
+
+TEST(RecordProgram, MakesRestsOfEverythingThatIsNoWay) {
+    Script script{kStartPulses};
+    script.spindle(true).way({50, 0, 0, 0}, 0.01).dwell(0.25).way({50, 0, 0, 0}, 0.01);
+    script.stop(StopReason::tool_change).spindle(false).end();
+    const auto blocks = program_blocks(script.steps);
+    std::vector<BlockKind> kinds;
+    for (const MotionBlock& block : blocks) {
+        if (kinds.empty() || block.kind != BlockKind::path || kinds.back() != BlockKind::path)
+            kinds.push_back(block.kind);
+    }
+    using K = BlockKind;
+    EXPECT_EQ(kinds, (std::vector{K::outputs, K::dwell, K::path, K::dwell, K::path, K::halt, K::outputs,
+                                  K::outputs, K::program_end}));
+    EXPECT_EQ(blocks[0].spindle, cycle::Spindle::on);
+    EXPECT_EQ(blocks[1].ticks, machine_limits(Profile{}).spinup_ticks);
+    const auto dwell = std::find_if(blocks.begin() + 2, blocks.end(),
+                                    [](const MotionBlock& block) { return block.kind == K::dwell; });
+    EXPECT_EQ(dwell->ticks, 5000);
+    EXPECT_EQ(program_line(*dwell), 3U);
+    const auto halt = std::find_if(blocks.begin(), blocks.end(),
+                                   [](const MotionBlock& block) { return block.kind == K::halt; });
+    EXPECT_EQ(halt->halt, ProgramHold::tool_change);
+    EXPECT_EQ(program_line(*halt), 5U);
+    EXPECT_EQ(blocks.back().kind, K::program_end);
+    EXPECT_EQ(blocks[blocks.size() - 2].spindle, cycle::Spindle::off);
+}
+
+TEST(RecordProgram, HaltsAfterEachBlockOneAtATime) {
+    Script script{kStartPulses};
+    script.way({30, 0, 0, 0}, 0.01).way({0, 30, 0, 0}, 0.01).way({0, 0, 0, 0}, 0.01).dwell(0.1).end();
+    script.steps[0].ends_block = false;
+    std::vector<std::uint64_t> halted;
+    for (const MotionBlock& block : program_blocks(script.steps, true)) {
+        if (block.kind != BlockKind::halt) continue;
+        EXPECT_EQ(block.halt, ProgramHold::single);
+        halted.push_back(program_line(block));
+    }
+    EXPECT_EQ(halted, (std::vector<std::uint64_t>{2, 3, 4}));
+}
+
+TEST(RecordProgram, RunsAllThatItHasBeforeALossOrARefusal) {
+    Script script{kStartPulses};
+    script.way({30, 0, 0, 0}, 0.01).way({30, 0, 0, 0}, 0.01);
+    for (const Supply how : {Supply::lost, Supply::refused}) {
+        const auto blocks = program_blocks(script.steps, false, {}, how);
+        std::int64_t way = 0;
+        for (const MotionBlock& block : blocks) way += block.delta_pulses[0];
+        EXPECT_EQ(way, 60);
+        if (how == Supply::lost) {
+            EXPECT_EQ(blocks.back().kind, BlockKind::halt);
+            EXPECT_EQ(blocks.back().halt, ProgramHold::feeder_lost);
+        } else {
+            EXPECT_EQ(blocks.back().kind, BlockKind::program_end);
+        }
+        EXPECT_EQ(program_line(blocks.back()), 2U);
+    }
+}
+
+// A way that goes nowhere still brings it to rest, where that is asked for.
+TEST(RecordProgram, RestsAtTheEndOfAWayWithoutAPulse) {
+    Script script{kStartPulses};
+    script.way({30, 0, 0, 0}, 0.01).way({}, 0.0).way({30, 0, 0, 0}, 0.01).end();
+    int runs = 0;
+    for (const MotionBlock& block : program_blocks(script.steps)) runs += block.group_blocks > 0 ? 1 : 0;
+    EXPECT_EQ(runs, 2);
+}
+
+}  // namespace
+}  // namespace psicarve::plan

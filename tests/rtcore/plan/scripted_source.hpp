@@ -88,7 +88,7 @@ private:
 /// Ways of all kinds, of `axes` (bit by axis), mixed with rests; nowhere further than `reach` from the start
 /// but for psi.
 inline Script random_program(std::uint64_t seed, const Pulses4& start_pulses, std::size_t ways,
-                             unsigned axes = 0xF, std::int64_t reach = 900) {
+                             unsigned axes = 0xF, std::int64_t reach = 500) {
     std::mt19937_64 random{seed};
     const auto up_to = [&](std::int64_t most) {
         return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * most + 1)) - most;

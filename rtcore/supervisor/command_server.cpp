@@ -94,8 +94,8 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
         return refuse(segment, received, message_of(MessageId::no_such_sensor));
     if (command.kind == CommandKind::program) {
         if (!program_opener_) return refuse(segment, received, message_of(MessageId::unknown_command));
-        const Message refusal = program_opener_(segment, command.value2);
-        if (!refusal.is_none()) return refuse(segment, received, refusal);
+        const auto opened = program_opener_(segment, command.value2);
+        if (!opened) return refuse(segment, received, opened.error().said);
     }
     const auto placed = with_layer(command, segment, job);
     auto request = placed ? motion_request(*placed, *kind, *profile_, is_virtual_clock_)

@@ -54,7 +54,8 @@ private:
         Request request{};
         request.kind = RequestKind::move;
         request.order.axes = 0xF;
-        for (std::size_t k = 0; k < kAxisCount; ++k) request.order.target_pulses[k] = positions()[k] + delta[k];
+        for (std::size_t k = 0; k < kAxisCount; ++k)
+            request.order.target_pulses[k] = positions()[k] + delta[k];
         return request;
     }
 };
@@ -123,7 +124,11 @@ TEST(Program, ShowsTheLineOfTheMotionAtHand) {
 TEST(Program, WaitsForTheOperatorWhereItSaysSo) {
     ProgramRig sut;
     Script script{sut.positions()};
-    script.spindle(true).way({-50, 0, 0, 0}, 0.01).stop(StopReason::tool_change).way({50, 0, 0, 0}, 0.01).end();
+    script.spindle(true)
+        .way({-50, 0, 0, 0}, 0.01)
+        .stop(StopReason::tool_change)
+        .way({50, 0, 0, 0}, 0.01)
+        .end();
     sut.give(script.steps);
     ASSERT_EQ(sut.start(), Refusal::none);
     ASSERT_TRUE(sut.run_until(MachineState::held));
@@ -304,26 +309,54 @@ void resume_halted(ProgramRig& rig) {
         rig.ask(RequestKind::resume);
 }
 
+// Two timers, backlash, heads that leave the cut on hold: each has ways of its own to wait.
+TEST(Program, EndsWhereItSaysOnOtherMachines) {
+    Profile two_timer = program_profile();
+    two_timer.tick.schedule = Schedule::two_timer;
+    two_timer.r1.speed_mm_s = two_timer.r2.speed_mm_s = two_timer.y.speed_mm_s = 4.0;
+    two_timer.psi.speed_deg_s = 80.0;
+    Profile worn = program_profile();
+    worn.r1.backlash_mm = 0.02;
+    worn.y.backlash_mm = 0.05;
+    Profile lifting = program_profile();
+    lifting.job.hold_lift_mm = 0.5;
+    for (const Profile& profile : {two_timer, worn, lifting}) {
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            ProgramRig sut{profile};
+            const Script script = random_program(seed, sut.positions(), 30);
+            sut.give(script.steps);
+            ASSERT_EQ(sut.start(), Refusal::none);
+            motion::Operator hand{seed, 20'000};
+            ASSERT_TRUE(sut.run_while([&] {
+                hand(sut);
+                return sut.cycle->state() != MachineState::ready && sut.cycle->state() != MachineState::alarm;
+            }));
+            EXPECT_EQ(sut.cycle->state(), MachineState::ready);
+            EXPECT_EQ(sut.positions(), script.at());
+        }
+    }
+}
+
 // Writers that pause so long that it starves, an operator who holds, resumes and overrides, block by block.
 TEST(Program, KeepsTheOrderOfItsPulsesHoweverItIsDisturbed) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        const auto plain = order_with(seed, false, [](ProgramRig& rig, ScriptedSource&, std::size_t) {
-            resume_halted(rig);
-        });
+        const auto plain = order_with(
+            seed, false, [](ProgramRig& rig, ScriptedSource&, std::size_t) { resume_halted(rig); });
         ASSERT_GT(plain.size(), 100U);
         motion::Operator hand{seed, 6000};
         std::mt19937_64 random{seed};
         std::uint64_t next_tick = 0;
         bool has_begun = false;
-        const auto disturbed = order_with(seed, false, [&](ProgramRig& rig, ScriptedSource& source, std::size_t all) {
-            if (!has_begun) source.written = 0;
-            has_begun = true;
-            hand(rig);
-            const std::uint64_t now = rig.cycle->next_tick();
-            if (now < next_tick) return;
-            next_tick = now + 1 + random() % (seed % 4 == 0 ? 12'000 : 500);
-            source.written = std::min(all, source.written + random() % 6);
-        });
+        const auto disturbed =
+            order_with(seed, false, [&](ProgramRig& rig, ScriptedSource& source, std::size_t all) {
+                if (!has_begun) source.written = 0;
+                has_begun = true;
+                hand(rig);
+                const std::uint64_t now = rig.cycle->next_tick();
+                if (now < next_tick) return;
+                next_tick = now + 1 + random() % (seed % 4 == 0 ? 12'000 : 500);
+                source.written = std::min<std::size_t>(all, source.written + random() % 6);
+            });
         ASSERT_EQ(disturbed, plain) << "seed " << seed;
     }
 }

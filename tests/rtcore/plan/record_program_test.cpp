@@ -386,6 +386,100 @@ TEST(RecordProgram, RunsAllThatItHasBeforeALossOrARefusal) {
     }
 }
 
+double seconds_of_ways(const std::vector<Pulses4>& ways, double tolerance_mm) {
+    Script script{kStartPulses};
+    for (const Pulses4& way : ways) script.way(way, tolerance_mm);
+    script.end();
+    double seconds = 0.0;
+    for (const MotionBlock& block : program_blocks(script.steps)) {
+        if (block.kind == BlockKind::path) seconds += block_seconds(block, 0);
+    }
+    return seconds;
+}
+
+// At sharp corners of four axes a curve through each end gains nothing over a stop there, and loses little.
+TEST(RecordProgram, HardlyEverLosesTimeByNotStopping) {
+    for (const std::int64_t most : {20, 300, 3000}) {
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            std::mt19937_64 random{seed};
+            std::vector<Pulses4> ways;
+            for (int i = 0; i < 30; ++i) {
+                Pulses4 way{};
+                for (auto& part : way)
+                    part =
+                        static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * most + 1)) - most;
+                ways.push_back(way);
+            }
+            const double exact_s = seconds_of_ways(ways, 0.0);
+            const double tolerant_s = seconds_of_ways(ways, 0.05);
+            EXPECT_LE(tolerant_s, exact_s * 1.03) << "most " << most << " seed " << seed;
+        }
+    }
+}
+
+// Of a long way, or many in a row, the ramps are as steep as of one way alone.
+TEST(RecordProgram, PassesEndsOnAStraightLineAsIfTheyWereNone) {
+    const double alone_s = seconds_of_ways({Pulses4{-4000, 0, 2000, 1000}}, 0.0);
+    for (const std::int64_t parts : {1, 2, 5, 20, 100}) {
+        const std::vector<Pulses4> row(static_cast<std::size_t>(parts),
+                                       Pulses4{-4000 / parts, 0, 2000 / parts, 1000 / parts});
+        EXPECT_LE(seconds_of_ways(row, 0.01), 1.02 * alone_s) << parts;
+        EXPECT_GE(seconds_of_ways(row, 0.01), 0.999 * alone_s) << parts;
+    }
+}
+
+// Sooner than at the even speed sqrt(a r): along the diagonals both axes accelerate at once.
+TEST(RecordProgram, GoesRoundACircleOfShortWaysAtWhatTheAxesHave) {
+    const MachineLimits limits = machine_limits(Profile{});
+    const double radius_mm = 4.0;
+    const double r1_scale = limits.axes[0].pulses_per_unit;
+    const double y_scale = limits.axes[kY].pulses_per_unit;
+    constexpr int kChords = 500;
+    std::vector<Pulses4> ways;
+    Pulses4 at{};
+    for (int turn = 1; turn <= 3 * kChords; ++turn) {
+        const double angle = 2.0 * 3.14159265358979 * turn / kChords;
+        const Pulses4 to{round_to_pulse(radius_mm * r1_scale * (std::cos(angle) - 1.0)), 0, 0,
+                         round_to_pulse(radius_mm * y_scale * std::sin(angle))};
+        ways.push_back({to[0] - at[0], 0, 0, to[3] - at[3]});
+        at = to;
+    }
+    const double accel_mm_s2 =
+        std::min(limits.axes[0].accel_pps2 / r1_scale, limits.axes[kY].accel_pps2 / y_scale);
+    const double speed_mm_s =
+        std::min({std::sqrt(accel_mm_s2 * radius_mm), limits.axes[0].speed_pps / r1_scale,
+                  limits.axes[kY].speed_pps / y_scale});
+    const double least_s = 3.0 * 2.0 * 3.14159265358979 * radius_mm / speed_mm_s;
+    EXPECT_LE(seconds_of_ways(ways, 0.01), least_s);
+}
+
+// The gap is crossed at rest: in a run such an axis goes one way, and the run says which.
+TEST(RecordProgram, TurnsAnAxisWithBacklashRoundAtRestAlone) {
+    Profile profile;
+    profile.r1.backlash_mm = 0.02;
+    profile.y.backlash_mm = 0.03;
+    const MachineLimits limits = machine_limits(profile);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Script script = random_program(seed, kStartPulses, 80);
+        Pulses4 at = kStartPulses;
+        std::uint8_t up = 0;
+        std::uint8_t down = 0;
+        for (const MotionBlock& block : program_blocks(script.steps, false, profile)) {
+            if (block.group_blocks > 0) {
+                up = block.up_axes;
+                down = block.down_axes;
+            }
+            for (std::size_t k = 0; k < kAxisCount; ++k) {
+                at[k] += block.delta_pulses[k];
+                if (limits.tick.axes[k].backlash_pulses == 0 || block.delta_pulses[k] == 0) continue;
+                ASSERT_NE((block.delta_pulses[k] > 0 ? up : down) & 1U << k, 0U) << "seed " << seed;
+            }
+            ASSERT_EQ(up & down, 0U);
+        }
+        EXPECT_EQ(at, script.at());
+    }
+}
+
 // A way that goes nowhere still brings it to rest, where that is asked for.
 TEST(RecordProgram, RestsAtTheEndOfAWayWithoutAPulse) {
     Script script{kStartPulses};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,7 +30,7 @@ public:
     void begin(const Pulses4& start_pulses) override { start = start_pulses; }
     std::size_t taken() const { return taken_; }
 
-    std::size_t written;  ///< so many of the steps have come
+    std::atomic<std::size_t> written;  ///< so many of the steps have come
     std::uint64_t asked = 0;
     Pulses4 start{};
 

@@ -313,13 +313,19 @@ void resume_halted(ProgramRig& rig) {
 TEST(Program, EndsWhereItSaysOnOtherMachines) {
     Profile two_timer = program_profile();
     two_timer.tick.schedule = Schedule::two_timer;
-    two_timer.r1.speed_mm_s = two_timer.r2.speed_mm_s = two_timer.y.speed_mm_s = 4.0;
-    two_timer.psi.speed_deg_s = 80.0;
+    two_timer.tick.period_us = 100.0;
+    two_timer.psi.speed_deg_s = 112.5;
+    two_timer.psi.accel_deg_s2 = 1125.0;
+    for (LinearAxisProfile* axis : {&two_timer.r1, &two_timer.r2, &two_timer.y}) {
+        axis->speed_mm_s = 5.0;
+        axis->accel_mm_s2 = 50.0;
+        axis->home_speed_mm_s = 4.0;
+    }
     Profile worn = program_profile();
     worn.r1.backlash_mm = 0.02;
     worn.y.backlash_mm = 0.05;
     Profile lifting = program_profile();
-    lifting.job.hold_lift_mm = 0.5;
+    lifting.job.lifts_on_hold = true;
     for (const Profile& profile : {two_timer, worn, lifting}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
             ProgramRig sut{profile};

@@ -4951,6 +4951,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
         </message>
         <message>
+            <source>a layer is a whole number</source>
+            <translation>номер слоя — целое число</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>слою нужны высота и не менее двух радиусов</translation>
         </message>
@@ -5855,10 +5859,6 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слои</translation>
         </message>
         <message>
-            <source>a layer is a whole number</source>
-            <translation>номер слоя — целое число</translation>
-        </message>
-        <message>
             <source>layers do not count on by one</source>
             <translation>номера слоёв не идут подряд</translation>
         </message>
@@ -6429,6 +6429,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>profile: %1</source>
             <translation>профиль: %1</translation>
+        </message>
+        <message>
+            <source>program</source>
+            <translation>программа</translation>
         </message>
         <message>
             <source>psi goes further in a layer than any machine</source>

@@ -4944,6 +4944,10 @@ N、Shift+N  下一条、上一条记录
             <translation>作业正在运行（%1）；请停止或等待其结束</translation>
         </message>
         <message>
+            <source>a layer is a whole number</source>
+            <translation>层号须为整数</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>每层需要高度和至少两个半径</translation>
         </message>
@@ -5848,10 +5852,6 @@ N、Shift+N  下一条、上一条记录
             <translation>层数</translation>
         </message>
         <message>
-            <source>a layer is a whole number</source>
-            <translation>层号须为整数</translation>
-        </message>
-        <message>
             <source>layers do not count on by one</source>
             <translation>层号不连续</translation>
         </message>
@@ -6422,6 +6422,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>profile: %1</source>
             <translation>配置：%1</translation>
+        </message>
+        <message>
+            <source>program</source>
+            <translation>程序</translation>
         </message>
         <message>
             <source>psi goes further in a layer than any machine</source>

@@ -94,7 +94,7 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
         return refuse(segment, received, message_of(MessageId::no_such_sensor));
     if (command.kind == CommandKind::program) {
         if (!program_opener_) return refuse(segment, received, message_of(MessageId::unknown_command));
-        const auto opened = program_opener_(segment, command.value2);
+        const auto opened = program_opener_(command.value2);
         if (!opened) return refuse(segment, received, opened.error().said);
     }
     const auto placed = with_layer(command, segment, job);

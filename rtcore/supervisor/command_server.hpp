@@ -51,7 +51,7 @@ public:
     void refuse_all(const Message& why) noexcept { refusal_for_all_ = why; }
 
     /// Makes a program ready for the tick to ask for, or says why it cannot be run.
-    using ProgramOpener = std::function<Result<void>(Segment&, std::uint64_t program)>;
+    using ProgramOpener = std::function<Result<void>(std::uint64_t program)>;
     void set_program_opener(ProgramOpener opener) { program_opener_ = std::move(opener); }
 
     /// Is told of every answer just before its sender is.

@@ -16,7 +16,10 @@ namespace psicarve::supervisor {
 /// are no programs, or nobody is told. Both are called by the supervisor's thread alone.
 struct ProgramAccess {
     /// The steps of the program that a command names, or why it cannot be run.
-    std::function<Result<std::shared_ptr<plan::StepSource>>(Segment&, std::uint64_t program)> open;
+    /// Whoever gives them keeps the segment as long as the planner has the source.
+    std::function<Result<std::shared_ptr<plan::StepSource>>(const std::shared_ptr<Segment>&,
+                                                            std::uint64_t program)>
+        open;
     /// Whenever the status is published.
     std::function<void(Segment&, const ProgramStatus&)> tell;
 };

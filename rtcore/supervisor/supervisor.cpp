@@ -91,8 +91,8 @@ void Supervisor::introduce() {
 void Supervisor::set_program_access(ProgramAccess access) {
     programs_ = std::move(access);
     if (!programs_.open) return;
-    server_.set_program_opener([this](Segment& segment, std::uint64_t program) -> Result<void> {
-        auto source = programs_.open(segment, program);
+    server_.set_program_opener([this](std::uint64_t program) -> Result<void> {
+        auto source = programs_.open(segment_, program);
         if (!source) return source.error();
         parts_->planner->set_source(std::move(*source), program);
         return {};

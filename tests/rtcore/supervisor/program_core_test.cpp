@@ -113,7 +113,8 @@ public:
 private:
     ProgramAccess access() {
         ProgramAccess programs;
-        programs.open = [this](Segment&, std::uint64_t number) -> Result<std::shared_ptr<plan::StepSource>> {
+        programs.open = [this](const std::shared_ptr<Segment>&,
+                               std::uint64_t number) -> Result<std::shared_ptr<plan::StepSource>> {
             if (number != kNumber) return Error{ErrorCode::machine_refused, "no such program"};
             return std::shared_ptr<plan::StepSource>{source};
         };

@@ -71,7 +71,10 @@ public:
         EXPECT_TRUE(wait_for([&] { return status().state == MachineState::ready; }));
     }
     ~ProgramCore() {
-        send(CommandKind::shutdown);
+        // Whatever a test has left: a core that moves does not end.
+        request_stop(*segment_);
+        EXPECT_TRUE(wait_for([&] { return status().state == MachineState::ready; }));
+        EXPECT_TRUE(send(CommandKind::shutdown));
         thread_.join();
     }
     ProgramCore(const ProgramCore&) = delete;

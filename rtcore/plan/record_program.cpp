@@ -131,15 +131,16 @@ void RecordProgram::add_way(const ProgramStep& step) {
     }
     const double length = std::sqrt(length2);
     std::vector<double> shares;
-    const auto parts = std::ceil(longest_pulses / static_cast<double>(kLongestWayPulses));
-    for (double part = 1.0; part < parts; part += 1.0) shares.push_back(part / parts);
+    const auto parts = static_cast<int>(std::ceil(longest_pulses / static_cast<double>(kLongestWayPulses)));
+    for (int part = 1; part < parts; ++part) shares.push_back(static_cast<double>(part) / parts);
     if (step.tolerance_mm > 0.0 && length > kLongWay_s) {
         Lanes slope;
         for (std::size_t k = 0; k < kAxisCount; ++k) slope[k] = way[k] / length;
         const double ramp = 0.5 / accel_along_way(limits_, slope);
         const double apart = ramp / kRampParts;
         const double most = std::min(kRampsApart * ramp, 0.5 * length);
-        for (double at = apart; at < most; at += apart) {
+        for (int i = 1; i * apart < most; ++i) {
+            const double at = i * apart;
             shares.push_back(at / length);
             shares.push_back(1.0 - at / length);
         }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <utility>
@@ -108,7 +109,14 @@ public:
         return at;
     }
 
-    std::shared_ptr<ScriptedSource> source;  ///< of program kNumber
+    /// Of program kNumber.
+    std::shared_ptr<ScriptedSource> give(const Script& script, std::size_t written) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        source_ = std::make_shared<ScriptedSource>(script.steps);
+        source_->written = written;
+        return source_;
+    }
+
     std::atomic<std::uint64_t> line{0};
     std::atomic<std::uint64_t> starvations{0};
     std::atomic<bool> is_running{false};
@@ -119,7 +127,8 @@ private:
         programs.open = [this](const std::shared_ptr<Segment>&,
                                std::uint64_t number) -> Result<std::shared_ptr<plan::StepSource>> {
             if (number != kNumber) return Error{ErrorCode::machine_refused, "no such program"};
-            return std::shared_ptr<plan::StepSource>{source};
+            const std::lock_guard<std::mutex> lock(mutex_);
+            return std::shared_ptr<plan::StepSource>{source_};
         };
         programs.tell = [this](Segment&, const ProgramStatus& now) {
             line = now.line;
@@ -129,6 +138,8 @@ private:
         return programs;
     }
 
+    std::mutex mutex_;  ///< the core sees the segment elsewhere: nothing of it orders the two threads
+    std::shared_ptr<ScriptedSource> source_;
     std::unique_ptr<CoreParts> parts_;
     std::unique_ptr<Supervisor> supervisor_;
     std::thread thread_;
@@ -146,15 +157,14 @@ Script in_three_parts(const plan::Pulses4& from) {
 std::uint64_t ticks_with_pause(std::size_t written) {
     ProgramCore sut;
     const Script script = in_three_parts(sut.positions());
-    sut.source = std::make_shared<ScriptedSource>(script.steps);
-    sut.source->written = written;
+    const auto source = sut.give(script, written);
     const std::uint64_t before = sut.status().tick;
     EXPECT_TRUE(sut.send(CommandKind::program, kNumber));
     if (written < script.steps.size()) {
         sut.let_rounds_pass();
         EXPECT_TRUE(sut.is_running);
         EXPECT_EQ(sut.status().state, MachineState::carving);
-        sut.source->written = script.steps.size();
+        source->written = script.steps.size();
     }
     EXPECT_TRUE(sut.wait_for([&] { return sut.status().state == MachineState::ready; }));
     EXPECT_EQ(sut.positions(), script.at());
@@ -173,8 +183,7 @@ TEST(ProgramCore, OnTheVirtualClockTakesTheSameTicksHoweverItsWriterPauses) {
 
 TEST(ProgramCore, StopsWhileItsWriterIsSilent) {
     ProgramCore sut;
-    sut.source = std::make_shared<ScriptedSource>(in_three_parts(sut.positions()).steps);
-    sut.source->written = 2;
+    sut.give(in_three_parts(sut.positions()), 2);
     ASSERT_TRUE(sut.send(CommandKind::program, kNumber));
     ASSERT_TRUE(sut.wait_for([&] { return sut.line == 2U; }));
     sut.let_rounds_pass();
@@ -187,13 +196,12 @@ TEST(ProgramCore, StopsWhileItsWriterIsSilent) {
 TEST(ProgramCore, HoldsAndResumesWhileItsWriterIsSilent) {
     ProgramCore sut;
     const Script script = in_three_parts(sut.positions());
-    sut.source = std::make_shared<ScriptedSource>(script.steps);
-    sut.source->written = 2;
+    const auto source = sut.give(script, 2);
     ASSERT_TRUE(sut.send(CommandKind::program, kNumber));
     ASSERT_TRUE(sut.wait_for([&] { return sut.line == 2U; }));
     ASSERT_TRUE(sut.send(CommandKind::hold));
     ASSERT_TRUE(sut.wait_for([&] { return sut.status().state == MachineState::held; }));
-    sut.source->written = script.steps.size();
+    source->written = script.steps.size();
     sut.let_rounds_pass();
     EXPECT_EQ(sut.status().state, MachineState::held);
     ASSERT_TRUE(sut.send(CommandKind::resume));

@@ -6475,6 +6475,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>профиль: %1</translation>
         </message>
         <message>
+            <source>program</source>
+            <translation>программа</translation>
+        </message>
+        <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ проходит за слой больше, чем может любой станок</translation>
         </message>

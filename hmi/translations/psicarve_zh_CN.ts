@@ -6468,6 +6468,10 @@ N、Shift+N  下一条、上一条记录
             <translation>配置：%1</translation>
         </message>
         <message>
+            <source>program</source>
+            <translation>程序</translation>
+        </message>
+        <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ 在一层内的行程超出任何机床</translation>
         </message>

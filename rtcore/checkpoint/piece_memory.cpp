@@ -35,7 +35,8 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
                        const std::shared_ptr<const LoadedJob>& job) {
     file_.tend();
     header.core.keeping.store(file_.keeping().pack());
-    if (job == nullptr) return;
+    // A program carves in the same states, and nothing of the job.
+    if (job == nullptr || sample.program.is_running != 0) return;
     if (file_.has_answered_late()) {
         // Whoever published the job has his answer already.
         const std::string remark = in_words(take_left(header, job));

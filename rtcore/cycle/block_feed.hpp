@@ -21,6 +21,7 @@ public:
         epoch_ = epoch;
         pause_ticks_left_ = 0;
         group_blocks_left_ = 0;
+        set_program_line(block_, 0);
     }
 
     /// At rest, every tick. True: the block at hand is the next of the plan, the first of its group. False:
@@ -28,6 +29,9 @@ public:
     bool take_first() noexcept;
     /// For so many ticks take_first() says no.
     void pause(std::int64_t ticks) noexcept { pause_ticks_left_ = ticks; }
+
+    /// At rest: no block is queued, nor does a pause go on.
+    bool is_dry() const noexcept { return pause_ticks_left_ == 0 && blocks_->front() == nullptr; }
 
     /// The block at hand is the last of its group.
     bool is_last_of_group() const noexcept { return group_blocks_left_ == 0; }

@@ -14,7 +14,8 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       motion_(config_, io, pulses_, inputs_),
       outlet_(config_, port, io, pulses_, inputs_, clock_),
       reporter_(io, clock_, pulses_, inputs_),
-      publisher_(io, config.sample_ticks) {
+      publisher_(io, config.sample_ticks),
+      program_(config.interpolation_ns()) {
     publisher_.publish(sample());
 }
 
@@ -98,6 +99,7 @@ void Cycle::take_index() noexcept {
     const bool is_tripped = inputs_.is_tripped(kPsi);
     if (!config_.has_index || !homed_.has(kPsi) || is_positive != is_tripped) return;
     const IndexCheck index = check_index(config_, pulses_.positions()[kPsi], is_positive);
+    if (index.is_right && program_.is_on()) return;
     if (index.is_right) return job_.note_index(motion_.progress().layer());
     raise_alarm(AlarmCause::steps_lost, static_cast<std::uint8_t>(kPsi), index.seen_pulses - index.off_pulses,
                 index.seen_pulses);
@@ -151,13 +153,14 @@ void Cycle::take_next_request(RequestRing& ring) noexcept {
 
 void Cycle::after_step(Motion::Progress progress) noexcept {
     using E = Executor;
-    if ((progress & E::kGroupStarted) != 0 && state_ == MachineState::carving) job_.note_group(clock_.tick());
+    if ((progress & E::kGroupStarted) != 0 && carves_job()) job_.note_group(clock_.tick());
     if ((progress & E::kPoint) != 0) job_.note_points(motion_.progress().points_reached(), clock_.tick());
     if ((progress & (E::kLatched | E::kDefined)) != 0) note_new_position((progress & E::kLatched) != 0);
     if ((progress & E::kNotFound) != 0) raise_alarm(AlarmCause::home_failed, motion_.latch_axis());
     if ((progress & E::kStarved) != 0) raise_alarm(AlarmCause::plan_starved, kNoAxis);
     if ((progress & E::kAtRest) != 0) came_to_rest();
     if ((progress & Motion::kLifted) != 0) apply(MachineEvent::at_rest);
+    if ((progress & E::kHalted) != 0) halt_program(motion_.halt());
     if ((progress & E::kProgramEnd) != 0) program_done();
 }
 

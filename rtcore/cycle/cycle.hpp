@@ -17,6 +17,7 @@
 #include "rtcore/cycle/motion.hpp"
 #include "rtcore/cycle/pin_outlet.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
+#include "rtcore/cycle/program_run.hpp"
 #include "rtcore/cycle/publisher.hpp"
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/cycle/reporter.hpp"
@@ -43,7 +44,8 @@ inline constexpr std::uint32_t kExecutingStates =
 /// header, and no part knows of states. All methods belong to the one thread that ticks; everybody else talks
 /// through CycleIo. Port and io outlive it. RT: yes, every method, after construction.
 ///
-/// Twenty members: its parts, each of which other parts or the states ask, and what is its own, the state.
+/// Twenty-one members: its parts, each of which other parts or the states ask, and what is its own, the
+/// state.
 class Cycle {
 public:
     /// Writes the safe state to the port at time 0.
@@ -75,6 +77,8 @@ public:
     const PulseStage& pulses() const noexcept { return pulses_; }
     /// On hold, or on their way there or back: the heads are off the path.
     bool are_heads_lifted() const noexcept { return motion_.are_heads_lifted(); }
+    /// A program runs, and nothing is left to do before its next block comes.
+    bool awaits_blocks() const noexcept { return carves_program() && motion_.is_dry(); }
     /// What the sample record shows when it is renewed.
     Sample sample() const noexcept;
 
@@ -107,7 +111,8 @@ private:
     void came_to_rest() noexcept;
     void go_on_with_motion() noexcept;
     bool lifts_on_hold() const noexcept {
-        return !job_.is_dry() && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
+        const bool is_dry = job_.is_dry() && !program_.is_on();
+        return !is_dry && (config_.lift_pulses[0] > 0 || config_.lift_pulses[1] > 0);
     }
     void end_move(MoveEnd end) noexcept;
     void end_after_stop() noexcept;
@@ -145,12 +150,24 @@ private:
     void check_lease() noexcept;
     void end_jog(MoveEnd end) noexcept;
     Refusal switch_spindle(bool on) noexcept;
+    // cycle_program.cpp: a program of motion records
+    Refusal start_program(const Request& request) noexcept;
+    void watch_supply() noexcept;
+    void halt_program(ProgramHold hold) noexcept;
+    void rest_in_program() noexcept;
+    void go_on_when_fed() noexcept;
+    bool holds_starved_program() noexcept;
+    void program_of_records_done() noexcept;
+    void note_program_line() noexcept;
+    ProgramStatus program_status() const noexcept;
     // cycle_trial.cpp: the outputs by hand
     Refusal try_pin(const Request& request) noexcept;
     void go_on_with_trial() noexcept;
     void end_trial(MoveEnd end) noexcept;
     Refusal drives_off() noexcept;
 
+    bool carves_job() const noexcept { return state_ == MachineState::carving && !program_.is_on(); }
+    bool carves_program() const noexcept { return state_ == MachineState::carving && program_.is_on(); }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;
@@ -172,6 +189,7 @@ private:
     HomedAxes homed_;
     LimitWatch limits_;
     JobRun job_;
+    ProgramRun program_;
     LeasedMove move_;
     PinTrial trial_;
     StopWords stops_;

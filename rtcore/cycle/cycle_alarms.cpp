@@ -26,7 +26,7 @@ void Cycle::raise_alarm(AlarmCause cause, std::uint8_t axis, std::int64_t expect
     move_.end(MoveEnd::none);
     drop_plan();
     alarm_.raise(cause, axis);
-    const bool affects_layers = cause == AlarmCause::steps_lost && runs_job(state_);
+    const bool affects_layers = cause == AlarmCause::steps_lost && runs_job(state_) && !program_.is_on();
     reporter_.report_alarm(cause, axis, expected_pulses, seen_pulses,
                            affects_layers ? job_.affected(motion_.progress().layer()) : JobRun::Affected{});
     apply(MachineEvent::fail);

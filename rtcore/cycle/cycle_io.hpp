@@ -11,6 +11,7 @@
 #include "rtcore/trace/trace_entry.hpp"
 #include "shared/base/spsc_ring.hpp"
 #include "shared/machine/machine_state.hpp"
+#include "shared/machine/program_status.hpp"
 #include "shared/machine/status.hpp"
 
 namespace psicarve::cycle {
@@ -39,6 +40,7 @@ enum class RequestKind : std::uint8_t {
     record,      ///< value: RecordingForm; lease_token: whose, 0 at the end: whoever's
     test_pin,    ///< value: a PinOrder, packed; lease
     drives_off,
+    run_program,  ///< value: its number; axis: not 0: a halt after each of its blocks
 };
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
@@ -121,6 +123,7 @@ struct Sample {
     std::uint64_t trace_lost;
     std::uint64_t reports_lost;
     std::uint64_t increments_lost;
+    ProgramStatus program;
 };
 
 using RequestRing = SpscRing<Request, 64>;

@@ -28,6 +28,7 @@ Sample Cycle::sample() const noexcept {
     sample.trace_lost = outlet_.trace_lost();
     sample.reports_lost = reporter_.lost();
     sample.increments_lost = publisher_.increments_lost();
+    sample.program = program_status();
     return sample;
 }
 

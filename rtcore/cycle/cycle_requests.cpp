@@ -55,6 +55,8 @@ Verdict Cycle::judge(const Request& request) noexcept {
             return {try_pin(request)};
         case RequestKind::drives_off:
             return {drives_off()};
+        case RequestKind::run_program:
+            return {start_program(request)};
         case RequestKind::fail:
             break;
     }
@@ -109,13 +111,18 @@ Refusal Cycle::start_interpolation() noexcept {
 }
 
 Refusal Cycle::hold() noexcept {
+    if (holds_starved_program()) return Refusal::none;
     if (!apply(MachineEvent::hold)) return Refusal::not_in_this_state;
     motion_.hold();
     return Refusal::none;
 }
 
 Refusal Cycle::resume() noexcept {
+    // Of a program that lost its writer nothing is left; one that starves goes on when it is fed.
+    if (program_.hold() == ProgramHold::feeder_lost) return Refusal::not_in_this_state;
+    if (program_.is_starved()) return Refusal::none;
     if (!apply(MachineEvent::resume)) return Refusal::not_in_this_state;
+    program_.go_on();
     motion_.resume();
     return Refusal::none;
 }

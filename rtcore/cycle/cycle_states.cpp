@@ -15,6 +15,8 @@ bool Cycle::apply(MachineEvent event) noexcept {
 void Cycle::enter(MachineState state) noexcept {
     if (state_ == MachineState::testing) pulses_.force(0);
     state_ = state;
+    if (state == MachineState::ready || state == MachineState::off || state == MachineState::alarm)
+        program_.end();
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     // An axis that was homed alone holds its position while the others are homed.
     const std::uint32_t held_axes = std::uint32_t{homed_.mask()} & config_.switched_axes;
@@ -40,6 +42,7 @@ void Cycle::program_done() noexcept {
             request_plan(PlanKind::carve);
             break;
         case S::carving:
+            if (program_.is_on()) return program_of_records_done();
             apply(E::last_point_done);
             request_plan(PlanKind::finish);
             break;
@@ -92,9 +95,13 @@ void Cycle::came_to_rest() noexcept {
 }
 
 void Cycle::go_on_with_motion() noexcept {
-    if (!executes()) return;
+    if (!executes()) {
+        if (program_.is_starved()) go_on_when_fed();
+        return;
+    }
     const Motion::Progress progress = motion_.step(clock_.tick());
     if (progress != Executor::kNothing) after_step(progress);
+    if (carves_program()) watch_supply();
 }
 
 void Cycle::end_move(MoveEnd end) noexcept {
@@ -106,7 +113,7 @@ void Cycle::end_move(MoveEnd end) noexcept {
 void Cycle::end_after_stop() noexcept {
     drop_plan();
     pulses_.set_spindle(false);
-    job_.end(clock_.tick());
+    if (!program_.is_on()) job_.end(clock_.tick());
     apply(homed_.has_all() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
 }
 
@@ -125,12 +132,14 @@ void Cycle::stop() noexcept {
 }
 
 void Cycle::drop_plan() noexcept {
+    note_program_line();
     motion_.drop();
     alarm_.forget_awaited();
 }
 
 void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* order) noexcept {
     alarm_.forget_awaited();
+    note_program_line();
     PlanRequest request{};
     request.kind = kind;
     request.axis = axis;
@@ -140,9 +149,12 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
                                                          static_cast<unsigned>(inputs_.is_tripped(k)) << k);
     }
     job_.show_in(request);
+    request.program = program_.status().program;
+    request.is_single = program_.status().is_single;
     if (order != nullptr) request.order = *order;
-    const bool is_carving = kind == PlanKind::carve;
-    const std::uint32_t still_axes = is_carving && job_.is_dry() ? HomedAxes::kHeadsMask : 0;
+    const bool is_carving = kind == PlanKind::carve || kind == PlanKind::program;
+    const bool is_dry = kind == PlanKind::carve && job_.is_dry();
+    const std::uint32_t still_axes = is_dry ? HomedAxes::kHeadsMask : 0;
     if (!motion_.ask(request, feed_ratio(is_carving), still_axes)) {
         raise_alarm(AlarmCause::plan_starved, kNoAxis);
     }

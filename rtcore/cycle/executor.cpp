@@ -58,6 +58,8 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
         case BlockKind::dwell:
             feed_.pause(block().ticks);
             return kNothing;
+        case BlockKind::halt:
+            return kHalted;
         case BlockKind::program_end:
             break;
     }

@@ -41,6 +41,7 @@ public:
     static constexpr Progress kProgramEnd = 32;
     static constexpr Progress kNotFound = 64;  ///< the sensor of latch_axis() did not do what it should
     static constexpr Progress kStarved = 128;  ///< a group's next block is not there, or is none that ends
+    static constexpr Progress kHalted = 512;   ///< a program's halt: halt() says why
 
     Executor(const CycleConfig& config, BlockRing& blocks, PulseStage& pulses, const Inputs& inputs) noexcept
         : pulses_(&pulses),
@@ -81,6 +82,13 @@ public:
     std::uint32_t axes_in_motion() const noexcept;
     /// The axis that is being homed, as SensorSearch has it.
     std::uint8_t homing_axis() const noexcept { return search_.homing_axis(); }
+
+    /// It rests, and nothing is queued that it could do next.
+    bool is_dry() const noexcept { return !in_motion_ && feed_.is_dry(); }
+    /// Of the block at hand; 0: it has none.
+    std::uint64_t program_line() const noexcept { return cycle::program_line(block()); }
+    /// After kHalted.
+    ProgramHold halt() const noexcept { return block().halt; }
 
     const RunProgress& progress() const noexcept { return progress_; }
     /// The next run's points count on from so many.

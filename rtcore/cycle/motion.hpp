@@ -57,6 +57,13 @@ public:
     /// Rotors that may still turn.
     const Coasting& coasting() const noexcept { return coasting_; }
 
+    /// It rests, and nothing is queued that it could do next.
+    bool is_dry() const noexcept { return executor_.is_dry(); }
+    bool has_block() const noexcept { return io_->blocks.front() != nullptr; }
+    /// As Executor has them.
+    std::uint64_t program_line() const noexcept { return executor_.program_line(); }
+    ProgramHold halt() const noexcept { return executor_.halt(); }
+
     /// The next run's points count on from so many.
     void begin_points(std::uint64_t points_before) noexcept { executor_.clear_points(points_before); }
     const RunProgress& progress() const noexcept { return executor_.progress(); }

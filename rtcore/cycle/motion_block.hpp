@@ -8,6 +8,7 @@
 
 #include "rtcore/cycle/motion_order.hpp"
 #include "shared/base/spsc_ring.hpp"
+#include "shared/machine/program_status.hpp"
 #include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
@@ -19,6 +20,7 @@ enum class BlockKind : std::uint8_t {
     define,       ///< the present position of `axis` is `position_pulses`; nothing moves
     outputs,      ///< drives and spindle as `enable_mask` and `spindle` say
     dwell,        ///< `ticks` ticks of rest
+    halt,         ///< of a program: rest until the operator resumes; `halt` says why
     program_end,  ///< all blocks before it are done
 };
 
@@ -64,7 +66,8 @@ struct MotionBlock {
     std::uint8_t reaches_points;  ///< of the job, at its end; the last of them is `layer`, `point`
     std::uint8_t up_axes;         ///< a run's first block, bit by axis: those with backlash that go up in it,
     std::uint8_t down_axes;  ///< or down, wherever in it they begin to move; their gaps are taken up first
-    std::uint8_t reserved[2];
+    ProgramHold halt;        ///< halt: never none
+    std::uint8_t reserved;
     std::uint32_t epoch;         ///< of the plan request it belongs to; others are dropped
     std::uint32_t group_blocks;  ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;
@@ -84,6 +87,15 @@ struct MotionBlock {
 };
 static_assert(sizeof(MotionBlock) <= 216 && std::is_trivially_copyable_v<MotionBlock>);
 
+/// Blocks of a program carry its line where those of a job carry the point that they reach. 0: none.
+constexpr std::uint64_t program_line(const MotionBlock& block) noexcept {
+    return std::uint64_t{block.layer} << 32U | block.point;
+}
+constexpr void set_program_line(MotionBlock& block, std::uint64_t line) noexcept {
+    block.layer = static_cast<std::uint32_t>(line >> 32U);
+    block.point = static_cast<std::uint32_t>(line);
+}
+
 inline constexpr std::size_t kBlockRingEntries = 16384;
 /// A group starts when all of it, or this many blocks, are queued: then it cannot run dry.
 inline constexpr std::size_t kGroupStartBlocks = kBlockRingEntries / 2;
@@ -98,6 +110,7 @@ enum class PlanKind : std::uint8_t {
     finish,        ///< heads out, spindle off; also after a stop
     back_off,      ///< `axis` away from its tripped sensor
     move,          ///< a jog or a move: `order`, from rest to rest
+    program,       ///< `program`, from where the machine stands
 };
 struct PlanRequest {
     std::uint32_t epoch;
@@ -110,8 +123,10 @@ struct PlanRequest {
     std::uint64_t first_layer;  ///< position, carve: the layer to begin with
     std::uint64_t end_layer;    ///< carve: one past the last
     std::uint8_t is_dry;        ///< position: heads stay outside, spindle off
-    std::uint8_t reserved[7];
-    MotionOrder order;  ///< move: targets of all axes
+    std::uint8_t is_single;     ///< program: a halt after each of its blocks
+    std::uint8_t reserved[6];
+    std::uint64_t program;  ///< program: its number
+    MotionOrder order;      ///< move: targets of all axes
 };
 using PlanRequestRing = SpscRing<PlanRequest, 16>;
 

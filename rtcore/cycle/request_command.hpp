@@ -33,6 +33,7 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::record, CommandKind::record},
     RequestCommand{RequestKind::test_pin, CommandKind::test_pin},
     RequestCommand{RequestKind::drives_off, CommandKind::drives_off},
+    RequestCommand{RequestKind::run_program, CommandKind::program},
 };
 
 /// Nothing: the tick has no such request.

@@ -20,6 +20,7 @@ constexpr bool sets_going(const Request& request) noexcept {
         case RequestKind::jog:
         case RequestKind::jog_on:
         case RequestKind::move:
+        case RequestKind::run_program:
             return true;
         case RequestKind::spindle:
             return request.value != 0;

@@ -37,10 +37,10 @@ JournalFacts facts_of_start(const JournalStart& start) {
     return facts;
 }
 
-/// How a job ended that was last in this state.
+/// How a job, or a program, ended that was last in this state.
 std::string_view ending_of(MachineState last, MachineState entered) noexcept {
     if (entered == MachineState::alarm) return "alarm";
-    return last == MachineState::finishing ? "done" : "stopped";
+    return last == MachineState::finishing || last == MachineState::carving ? "done" : "stopped";
 }
 
 }  // namespace
@@ -109,6 +109,14 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
     const MachineState before = std::exchange(state_, entered);
     if (runs_job(before) == runs_job(entered)) return;
     JournalFacts facts;
+    // A job begins with its approach.
+    if (runs_job(entered)) is_program_ = entered == MachineState::carving;
+    if (is_program_) {
+        if (runs_job(entered)) return put(JournalKind::job, "program started", sample.tick, std::move(facts));
+        facts.add("how", ending_of(before, entered));
+        facts.add("line", static_cast<std::int64_t>(sample.program.line));
+        return put(JournalKind::job, "program ended", sample.tick, std::move(facts));
+    }
     if (job != nullptr && job->generation == sample.job_generation)
         facts.add("source", job->view.source_name());
     if (runs_job(entered)) {

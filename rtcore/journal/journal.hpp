@@ -59,6 +59,7 @@ private:
     std::shared_ptr<JournalWriter> writer_;
     std::array<JournalAllowance, kJournalKindCount> allowances_;
     MachineState state_ = MachineState::off;
+    bool is_program_ = false;  ///< what runs, or ran last, was no job
     std::uint64_t missed_told_ = 0;
     Time next_missed_{};
     std::unique_ptr<rtcore::SideThread> thread_;

@@ -49,7 +49,7 @@ class SpanBounds {
 public:
     SpanBounds(const MachineLimits& limits, std::span<const PathPoint> points,
                std::span<const PathSpan> spans)
-        : points_(points), spans_(spans) {
+        : points_(points), spans_(spans), soft_(limits.is_program ? &limits.tick.soft_limits : nullptr) {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             // A head never goes further in than the core, nor deeper than the chord where the tips are close.
             least_[k] = k < kHeads ? limits.least_radius_pulses[k] : -kNone;
@@ -70,6 +70,7 @@ public:
             lowest_[k] = std::max(lowest_[k], std::min(from, to) - kLeastBeyondPulses);
             if (k >= kHeads) highest_[k] = std::min(highest_[k], std::max(from, to) + kLeastBeyondPulses);
         }
+        if (soft_ != nullptr) keep_soft_limits(points_[span].pulses, points_[span + 1].pulses);
     }
     void at_point(std::size_t point, bool is_end, Lanes& low, Lanes& high) const {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -98,8 +99,27 @@ private:
         return std::max(1.0, kBeyondShare * limits.path_tolerance_mm * limits.axes[axis].pulses_per_unit);
     }
 
+    // Programs are checked in their points alone: beyond them the curve keeps to the travel, and heads leave
+    // each other what room they have.
+    void keep_soft_limits(const Pulses4& from, const Pulses4& to) {
+        double room_mm = -soft_->least_sum_mm;
+        for (std::size_t head = 0; head < kHeads; ++head) {
+            room_mm += soft_->mm_per_pulse[head] * static_cast<double>(std::min(from[head], to[head]));
+        }
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const auto low = static_cast<double>(std::min(from[k], to[k]));
+            const auto high = static_cast<double>(std::max(from[k], to[k]));
+            lowest_[k] = std::max(lowest_[k], std::min(low, static_cast<double>(soft_->least_pulses[k])));
+            highest_[k] = std::min(highest_[k], std::max(high, static_cast<double>(soft_->most_pulses[k])));
+            if (k >= kHeads) continue;
+            const double room_pulses = 0.5 * std::max(room_mm, 0.0) / soft_->mm_per_pulse[k];
+            lowest_[k] = std::max(lowest_[k], low - std::max(room_pulses, kLeastBeyondPulses));
+        }
+    }
+
     std::span<const PathPoint> points_;
     std::span<const PathSpan> spans_;
+    const cycle::SoftLimits* soft_;  ///< null: a table's points are checked with what the curve may add
     Lanes least_{};
     Lanes tolerance_{};
     const PathSpan* way_ = nullptr;

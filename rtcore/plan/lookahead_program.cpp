@@ -7,46 +7,16 @@
 #include <utility>
 
 #include "rtcore/plan/link_way.hpp"
+#include "rtcore/plan/path_blocks.hpp"
 #include "rtcore/plan/speed_up.hpp"
-#include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
 namespace {
 
-using cycle::BlockKind;
 using cycle::MotionBlock;
-
-// Stands for "no limit" where an axis does not move.
-constexpr double kNoLimit = 1e30F;
 
 // Shapes of a link that are tried: so many parts of each half.
 constexpr std::array kLinkParts{1, 3};
-
-PSICARVE_FOR_WIDE_REGISTERS
-void set_timing(const MachineLimits& limits, const PathPiece& piece, cycle::PathTiming& timing) {
-    timing.length = piece.length;
-    for (std::size_t k = 0; k < timing.start_speed2.size(); ++k) {
-        timing.start_speed2[k] = limits.pace * limits.pace * piece.begin_speed2[k];
-        timing.end_speed2[k] = limits.pace * limits.pace * piece.end_speed2[k];
-    }
-    Vec slope, bend;
-    load(piece.slope, slope);
-    load(piece.bend, bend);
-    Vec accel, jump;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        accel[k] = limits.axes[k].accel_pps2;
-        jump[k] = limits.axes[k].start_stop_pps;
-    }
-    const Vec accel_free = slope > 0.0 ? accel / slope : Vec{} + kNoLimit;
-    const Vec accel_bend = slope > 0.0 ? bend / slope : Vec{};
-    Vec start_stop = slope > 0.0 ? jump / slope : Vec{} + 1.0;
-    lower_to(start_stop, Vec(Vec{} + 1.0));
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        timing.accel_free[k] = static_cast<float>(accel_free[k]);
-        timing.accel_bend[k] = static_cast<float>(accel_bend[k]);
-    }
-    timing.start_stop_speed = static_cast<float>(least_of(start_stop));
-}
 
 }  // namespace
 
@@ -161,29 +131,11 @@ void LookaheadProgram::add_stretch() {
     const std::size_t begin = blocks_.size();
     for (const PathPiece& piece : pieces_) add_block(piece);
     blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
-    note_gaps(std::span(blocks_).subspan(begin));
-}
-
-// A run has a stop wherever an axis with backlash turns round: in it such an axis goes one way.
-void LookaheadProgram::note_gaps(std::span<MotionBlock> run) const {
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        if (limits_.tick.axes[k].backlash_pulses == 0) continue;
-        const auto moves = [k](const MotionBlock& block) { return block.delta_pulses[k] != 0; };
-        const auto first = std::find_if(run.begin(), run.end(), moves);
-        if (first == run.end()) continue;
-        std::uint8_t& axes = first->delta_pulses[k] > 0 ? run.front().up_axes : run.front().down_axes;
-        axes = static_cast<std::uint8_t>(axes | 1U << k);
-    }
+    note_gaps(limits_, std::span(blocks_).subspan(begin));
 }
 
 void LookaheadProgram::add_block(const PathPiece& piece) {
-    MotionBlock& block = blocks_.emplace_back();
-    block.kind = BlockKind::path;
-    block.delta_pulses = piece.delta_pulses;
-    for (std::size_t k = 0; k < kAxisCount; ++k)
-        block.line_pulses[k] = static_cast<std::int32_t>(piece.line_pulses[k]);
-    block.line_done = piece.line_done;
-    set_timing(limits_, piece, block.path);
+    MotionBlock& block = blocks_.emplace_back(path_block(limits_, piece));
     const bool reaches_point = piece.point != PathPiece::kNoPoint && !points_[piece.point].is_on_the_way;
     if (reaches_point && is_spiral()) {
         const std::uint32_t steps = job_->point_count() - 1;
@@ -207,7 +159,7 @@ void LookaheadProgram::begin_in_between() {
     blocks_.erase(blocks_.begin(), first + 1);
     if (left > 0) {
         blocks_.front().group_blocks = left;
-        note_gaps(std::span(blocks_).first(left));
+        note_gaps(limits_, std::span(blocks_).first(left));
         speed_up_from_rest(std::span(blocks_).first(left));
     }
 }
@@ -228,7 +180,7 @@ void LookaheadProgram::end_in_between() {
     const std::span<MotionBlock> shortened{run, blocks_.end()};
     run->group_blocks = static_cast<std::uint32_t>(shortened.size());
     run->up_axes = run->down_axes = 0;
-    note_gaps(shortened);
+    note_gaps(limits_, shortened);
     slow_down_to_rest(shortened);
 }
 

@@ -31,7 +31,6 @@ private:
     void gather_rows(std::uint32_t end);
     void add_stretches(std::size_t first, std::size_t last);
     void add_stretch();
-    void note_gaps(std::span<cycle::MotionBlock> run) const;
     void add_block(const PathPiece& piece);
     void begin_in_between();
     void end_in_between();

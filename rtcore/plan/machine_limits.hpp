@@ -44,6 +44,8 @@ struct MachineLimits {
     std::array<double, 2> least_radius_pulses{};  ///< by head, as counted: the core, or the travel's end
     OutsideRule outside_rule;
     HeadsOutside outside;  ///< of a job that is carved: where a head keeps to no feed
+    bool is_program =
+        false;  ///< what is planned is a program: Y is an axis as the heads are, not a table's rows
     std::int64_t spinup_ticks = 0;
     std::int64_t rest_ticks = 0;  ///< after which a motor that stopped with a jump may jump off again
 

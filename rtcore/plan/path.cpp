@@ -45,13 +45,18 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
     span.end_band.fill(kEndBandPulses);
     span.end_band[kPsi] = std::min(kEndBandPulses, psi_band_mm / psi_pulse_mm);
     span.band[kPsi] = psi_band_mm / psi_pulse_mm;
-    span.band[kY] = std::max(kLeastBandPulses, tolerance_mm * limits.axes[kY].pulses_per_unit);
+    const double y_share = limits.is_program ? kTubeShare : 1.0;
+    span.band[kY] = std::max(kLeastBandPulses, y_share * tolerance_mm * limits.axes[kY].pulses_per_unit);
+    // A layer's plane is (r * dpsi, R); a program's chord goes along Y, too.
+    const double lift_mm =
+        limits.is_program ? static_cast<double>(std::abs(delta_pulses[kY])) / limits.axes[kY].pulses_per_unit
+                          : 0.0;
     // Cut on the chord, both heads and the table stand at one place of it, wherever the curve has each.
     const bool is_on_chord = heads_are_coarse(limits);
     for (std::size_t head = 0; head < 2; ++head) {
         const double scale = limits.axes[head].pulses_per_unit;
-        const double along_mm =
-            static_cast<double>(std::abs(delta_pulses[kPsi])) * rad_per_pulse * span.radius_mm[head];
+        const double turn_mm = turn_pulses * rad_per_pulse * span.radius_mm[head];
+        const double along_mm = std::sqrt(turn_mm * turn_mm + lift_mm * lift_mm);
         const double rise_mm = static_cast<double>(std::abs(delta_pulses[head])) / scale;
         const double chord_mm = std::sqrt(along_mm * along_mm + rise_mm * rise_mm);
         // What psi takes of it, and the rounding of both where the way is cut.
@@ -219,7 +224,7 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
                                                                           points[i].pulses[head]);
         }
     }
-    keep_y_on_its_way(limits, spans);
+    if (!limits.is_program) keep_y_on_its_way(limits, spans);
     return spans;
 }
 

@@ -46,6 +46,8 @@ struct PathSpan {
     std::array<double, 2> radius_mm;  ///< by head: of the tip, at the larger end
     bool is_link;                     ///< between two layers: heads never further in than its ends
     std::array<bool, 2> is_outside;   ///< by head: all along it clear of the blank, so without a feed
+    /// (dt/du)^2 is nowhere less: a program's feed, at 100 % and at twice that. 0: as fast as the axes can
+    std::array<double, 2> least_pace2{};
 };
 
 /// A turn of the polyline at a point.

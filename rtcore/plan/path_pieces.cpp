@@ -147,7 +147,19 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
         pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to.pulses[k]),
                                std::max(at_pulses_[k], to.pulses[k]));
     }
+    if (limits_.is_program) return keep_travel(from.pulses, to.pulses, pulses);
     if (!is_link) keep_height(from.pulses, to.pulses, pulses);
+}
+
+// Where the curve leans beyond an end that stands at a limit.
+void PieceMaker::keep_travel(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const {
+    const cycle::SoftLimits& soft = limits_.tick.soft_limits;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        std::int64_t least = soft.least_pulses[k];
+        if (k < soft.core_pulses.size()) least = std::max(least, soft.core_pulses[k]);
+        pulses[k] = std::clamp(pulses[k], std::min({least, from[k], to[k]}),
+                               std::max({soft.most_pulses[k], from[k], to[k]}));
+    }
 }
 
 // Along a layer Y goes where the curve has it, but only so far from the straight way over psi that the DDA's

@@ -88,6 +88,7 @@ private:
     bool set_line(std::size_t first, std::size_t end, std::size_t timing, Line& line) const;
     bool is_straight(std::size_t first, std::size_t end);
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
+    void keep_travel(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     void keep_height(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     bool is_cut_on_line(std::uint32_t point) const;
     Pulses4 line_to(std::uint32_t point) const;

@@ -271,6 +271,18 @@ void StretchPlanner::note_outside() {
     }
 }
 
+// All of a cell keeps to the slower of the two spans that it reaches into.
+Timings StretchPlanner::least_pace2_of(std::size_t cell) const {
+    Timings pace2{};
+    const std::size_t last = curve_.cells.size() - 1;
+    for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
+        if (cell > 0) pace2[timing] = spans_[curve_.nodes.span_at[cell - 1]].least_pace2[timing];
+        if (cell == last) continue;
+        pace2[timing] = std::max(pace2[timing], spans_[curve_.nodes.span_at[cell]].least_pace2[timing]);
+    }
+    return pace2;
+}
+
 // Motors' top speeds, and the feed of the tip over the surface: (r psi')^2 + R'^2 + Y'^2, the faster of the
 // heads that are not outside. Four places of a cell side by side: its begin, a quarter, the half, three
 // quarters. Where two cells meet, the feed holds if it does in one of them.
@@ -310,9 +322,13 @@ void StretchPlanner::limit_speeds() {
             if (!is_fed) speed2 *= kBeginAlone;
             raise_to(surface_speed2, speed2);
         }
+        const Timings pace2 = least_pace2_of(is_end ? i - 1 : i);
+        const Timings pace2_before = least_pace2_of(i > 0 ? i - 1 : 0);
         for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
             Vec most = need;
             raise_to(most, Vec(surface_speed2 * inverse_feed2_[timing]));
+            raise_to(most, Vec(Vec{} + pace2[timing]));
+            raise_to(most, Vec(pace2_before[timing] * kBeginAlone));
             const Vec limit = most > 0.0 ? 1.0 / most : Vec{} + 1.0;
             bound2_[timing][i] = limit[0];
             if (!is_end) inner2_[timing][i] = {limit[1], limit[2], limit[3]};

@@ -57,6 +57,7 @@ private:
     bool fit_again(const NodeRange& range);
     bool fit_part(const NodeRange& range, std::size_t decided_last);
     void note_outside();
+    Timings least_pace2_of(std::size_t cell) const;
     void limit_speeds();
     void add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces);
 

@@ -7,6 +7,7 @@
 #include "rtcore/plan/carving.hpp"
 #include "rtcore/plan/homing.hpp"
 #include "rtcore/plan/move.hpp"
+#include "rtcore/plan/record_program.hpp"
 #include "rtcore/plan/stepped_program.hpp"
 
 namespace psicarve::plan {
@@ -34,6 +35,25 @@ Planner::KnownJob Planner::known(std::uint64_t generation) {
     return {};
 }
 
+void Planner::set_source(std::shared_ptr<StepSource> source, std::uint64_t program) {
+    // Destroyed after the lock is given back.
+    KnownSource forgotten{std::move(source), program};
+    const std::lock_guard<std::mutex> lock(job_mutex_);
+    std::swap(known_source_, forgotten);
+}
+
+std::unique_ptr<Program> Planner::program_of_records(const PlanRequest& request) {
+    std::shared_ptr<StepSource> source;
+    {
+        const std::lock_guard<std::mutex> lock(job_mutex_);
+        if (known_source_.program == request.program) source = std::exchange(known_source_.source, nullptr);
+    }
+    if (source == nullptr) return nullptr;
+    source->begin(request.position_pulses);
+    return std::make_unique<RecordProgram>(limits_, std::move(source), request.position_pulses,
+                                           request.is_single != 0);
+}
+
 bool Planner::wants_poll() const noexcept {
     if (io_->plan_requests.size() > 0) return true;
     return program_ != nullptr && io_->blocks.size() <= cycle::kGroupStartBlocks;
@@ -43,6 +63,7 @@ void Planner::poll(const std::function<bool()>& has_time) {
     take_requests();
     while (program_ != nullptr) {
         if (!has_pending_) has_pending_ = program_->next(pending_);
+        if (!has_pending_ && program_->is_waiting()) return;
         if (!has_pending_) {
             if (const PlannedSoFar all = program_->planned(); all.is_reference) {
                 reference_seconds_.store(all.seconds, std::memory_order_relaxed);
@@ -98,6 +119,8 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
             if (job_ == nullptr) return nullptr;
             return list((request.is_dry != 0 ? dry_approach_blocks : approach_blocks)(
                 limits_, *job_, request.position_pulses, first_layer));
+        case PlanKind::program:
+            return program_of_records(request);
         case PlanKind::carve:
             break;
     }

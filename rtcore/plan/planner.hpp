@@ -11,6 +11,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/plan/machine_limits.hpp"
 #include "rtcore/plan/program.hpp"
+#include "rtcore/plan/program_step.hpp"
 #include "shared/job/job.hpp"
 #include "shared/profile/profile.hpp"
 
@@ -29,11 +30,19 @@ public:
     /// keeps the view's blob alive: std::shared_ptr<const JobView>(loaded, &loaded->view).
     void set_job(std::shared_ptr<const JobView> job, std::uint64_t generation);
 
+    /// Any thread. A program that the tick may be asked to run, by its number; it is run once, and the one
+    /// before it is forgotten unless it runs.
+    void set_source(std::shared_ptr<StepSource> source, std::uint64_t program);
+
     /// Planner's thread. Cheap: a request waits, or an unfinished program's queue is at most half full.
     bool wants_poll() const noexcept;
     /// Planner's thread. Takes the newest request and queues as many blocks as fit. That may be seconds of
     /// work: whoever has other duties is asked after each block whether there is time for more.
     void poll(const std::function<bool()>& has_time = {});
+
+    /// Planner's thread. All that was queued may be done before more of the program comes: its next steps are
+    /// awaited.
+    bool is_waiting() const noexcept { return program_ != nullptr && program_->is_waiting(); }
 
     /// Any thread. After how many points of its job the carving that was asked for last ends; 0: none was.
     std::uint64_t points_total() const noexcept { return points_total_.load(std::memory_order_relaxed); }
@@ -42,6 +51,7 @@ public:
 
 private:
     void take_requests();
+    std::unique_ptr<Program> program_of_records(const cycle::PlanRequest& request);
     std::unique_ptr<Program> program_for(const cycle::PlanRequest& request);
 
     MachineLimits limits_;  ///< with the blank of job_
@@ -54,6 +64,11 @@ private:
     };
     KnownJob known(std::uint64_t generation);
     std::array<KnownJob, 2> known_;  ///< the newest first; guarded by job_mutex_
+    struct KnownSource {
+        std::shared_ptr<StepSource> source;
+        std::uint64_t program = 0;
+    };
+    KnownSource known_source_;  ///< guarded by job_mutex_
     std::shared_ptr<const JobView> job_;
     std::unique_ptr<Program> program_;
     cycle::MotionBlock pending_{};  ///< made, but the queue was full

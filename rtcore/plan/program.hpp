@@ -16,12 +16,15 @@ struct PlannedSoFar {
     bool is_reference = false;  ///< the seconds are the least that the limits allow: T_ref
 };
 
-/// Motion blocks in order, made as they are asked for. The last one is program_end.
+/// Motion blocks in order, made as they are asked for. The last one is program_end, unless what makes them is
+/// lost.
 class Program {
 public:
     virtual ~Program() = default;
-    /// The next block but for its epoch; false when there is none.
+    /// The next block but for its epoch; false when there is none, for good unless is_waiting().
     virtual bool next(cycle::MotionBlock& block) = 0;
+    /// next() found nothing yet, but more may come: it is to be asked again.
+    virtual bool is_waiting() const { return false; }
     virtual PlannedSoFar planned() const { return {}; }
 };
 

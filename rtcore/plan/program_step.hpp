@@ -34,6 +34,8 @@ enum class Supply : std::uint8_t {
 class StepSource {
 public:
     virtual ~StepSource() = default;
+    /// Once, before the first step: where all axes stand.
+    virtual void begin(const Pulses4& /*start_pulses*/) {}
     virtual Supply next(ProgramStep& step) = 0;
 };
 

@@ -92,7 +92,7 @@ using Records = std::vector<FlightRecord>;
 
 /// The newest job was loaded while the machine was homed and at rest, or it came to be so later: the snapshot
 /// holds no other job, so nothing before that can be run again.
-Records::const_iterator first_of_script(const Records& records) {
+Records::const_iterator first_after_job(const Records& records) {
     const auto is_job = [](const FlightRecord& record) { return is_done(record, RecordKind::job); };
     const auto last_job = std::find_if(records.rbegin(), records.rend(), is_job);
     if (last_job == records.rend()) return std::ranges::find_if(records, is_homed_rest);
@@ -101,6 +101,19 @@ Records::const_iterator first_of_script(const Records& records) {
     const auto state_at_job = std::find_if(last_job, records.rend(), is_change);
     if (state_at_job != records.rend() && is_homed_rest(*state_at_job)) return job;
     return std::find_if(job, records.end(), is_homed_rest);
+}
+
+/// Nor is a program of motion records in it: what can be run again begins after the last one.
+Records::const_iterator first_of_script(const Records& records) {
+    const auto first = first_after_job(records);
+    const auto is_program = [](const FlightRecord& record) {
+        return is_done(record, RecordKind::command) &&
+               static_cast<CommandKind>(record.code) == CommandKind::program;
+    };
+    const auto last_program =
+        std::find_if(records.rbegin(), Records::const_reverse_iterator{first}, is_program);
+    if (last_program == Records::const_reverse_iterator{first}) return first;
+    return std::find_if(last_program.base(), records.end(), is_homed_rest);
 }
 
 /// An override given between the job's loading and the script's begin still holds there.

@@ -92,6 +92,11 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
     if (!kind) return refuse(segment, received, message_of(MessageId::unknown_command));
     if (command.kind == CommandKind::back_off && command.axis >= kAxisCount)
         return refuse(segment, received, message_of(MessageId::no_such_sensor));
+    if (command.kind == CommandKind::program) {
+        if (!program_opener_) return refuse(segment, received, message_of(MessageId::unknown_command));
+        const auto opened = program_opener_(command.value2);
+        if (!opened) return refuse(segment, received, opened.error().said);
+    }
     const auto placed = with_layer(command, segment, job);
     auto request = placed ? motion_request(*placed, *kind, *profile_, is_virtual_clock_)
                           : Result<cycle::Request>{placed.error()};

@@ -11,6 +11,7 @@
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/job/loaded_job.hpp"
 #include "rtcore/supervisor/stop_listener.hpp"
+#include "shared/base/result.hpp"
 #include "shared/message/message.hpp"
 #include "shared/profile/profile.hpp"
 #include "shared/segment/segment.hpp"
@@ -48,6 +49,10 @@ public:
     /// refused: which job it would carve is about to change.
     void note_seen(std::uint64_t generation) noexcept { seen_generation_ = generation; }
     void refuse_all(const Message& why) noexcept { refusal_for_all_ = why; }
+
+    /// Makes a program ready for the tick to ask for, or says why it cannot be run.
+    using ProgramOpener = std::function<Result<void>(std::uint64_t program)>;
+    void set_program_opener(ProgramOpener opener) { program_opener_ = std::move(opener); }
 
     /// Is told of every answer just before its sender is.
     using AnswerTaker = std::function<void(const ReceivedCommand&, AnswerKind, const Message&)>;
@@ -87,6 +92,7 @@ private:
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
     AnswerTaker answer_taker_;
+    ProgramOpener program_opener_;  ///< empty: there are no programs
     Message refusal_for_all_{};
     bool is_guard_lost_ = false;
     std::uint64_t seen_generation_ = 0;

@@ -205,6 +205,9 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         request.value = command.value != 0.0 ? 1 : 0;
     } else if (kind == RequestKind::override) {
         request.value = percent_of(command.value);
+    } else if (kind == RequestKind::run_program) {
+        request.value = command.value2;
+        request.axis = command.axis & kProgramIsSingle;
     } else if (kind == RequestKind::record) {
         added = add_recording(request, command);
     }

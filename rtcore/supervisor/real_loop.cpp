@@ -24,6 +24,7 @@ void run_planner(plan::Planner& planner, const std::atomic<bool>& must_end) {
     while (!must_end.load()) {
         if (planner.wants_poll()) {
             planner.poll();
+            if (planner.is_waiting()) std::this_thread::sleep_for(kPlannerWait);
         } else {
             std::this_thread::sleep_for(kPlannerWait);
         }

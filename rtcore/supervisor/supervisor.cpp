@@ -88,6 +88,17 @@ void Supervisor::introduce() {
     segment_->header().core_profile_hash.store(profile_hash(parts_->profile));
 }
 
+void Supervisor::set_program_access(ProgramAccess access) {
+    programs_ = std::move(access);
+    if (!programs_.open) return;
+    server_.set_program_opener([this](std::uint64_t program) -> Result<void> {
+        auto source = programs_.open(segment_, program);
+        if (!source) return source.error();
+        parts_->planner->set_source(std::move(*source), program);
+        return {};
+    });
+}
+
 bool Supervisor::poll(Hearing hearing) {
     const std::uint32_t wake_count = event_count(segment_->header().command_raised);
     const bool takes_requests = hearing == Hearing::everything;
@@ -293,7 +304,7 @@ PlannedTimes Supervisor::planned_times() {
         const plan::TimeLeft left =
             parts_->estimator->left(sample_.points_done, parts_->planner->points_total());
         // At rest it is the whole job that is told of, once it is planned.
-        if (runs_job(sample_.state)) {
+        if (runs_job(sample_.state) && sample_.program.is_running == 0) {
             times.left_s = left.seconds;
             times.is_left_forecast = left.seconds >= 0.0 && !left.is_planned;
         }
@@ -308,6 +319,7 @@ PlannedTimes Supervisor::planned_times() {
 
 void Supervisor::publish_status() {
     if (parts_->machine != nullptr && !is_machine_frozen_) mirror_.set_sim(sim_facts(*parts_->machine));
+    if (programs_.tell) programs_.tell(*segment_, sample_.program);
     write_record(segment_->header().status, mirror_.compose(sample_, planned_times()));
     if (changes_ != changes_told_) {
         changes_told_ = changes_;

@@ -16,6 +16,7 @@
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/flight_log.hpp"
 #include "rtcore/supervisor/pin_recording.hpp"
+#include "rtcore/supervisor/program_access.hpp"
 #include "rtcore/supervisor/status_mirror.hpp"
 #include "rtcore/supervisor/stop_listener.hpp"
 #include "shared/segment/segment.hpp"
@@ -55,6 +56,9 @@ public:
     /// Before anybody may publish, on the virtual clock: the job that an earlier core has left is loaded
     /// while the machine settles, and no tick passes for it later.
     void load_left_job() { take_job(); }
+
+    /// Before the first round. Without it there are no programs.
+    void set_program_access(ProgramAccess access);
 
     void set_lateness(const LatenessFacts& lateness) noexcept { mirror_.set_lateness(lateness); }
     void set_realtime(const RealtimeFacts& realtime) noexcept { mirror_.set_realtime(realtime); }
@@ -122,6 +126,7 @@ private:
     PieceMemory piece_;
     Journal journal_;
     FlightLog flight_log_;
+    ProgramAccess programs_;
     bool is_virtual_clock_;
     rtcore::Promptness promptness_;
     cycle::Sample sample_;

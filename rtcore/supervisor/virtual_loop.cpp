@@ -40,17 +40,27 @@ public:
     /// tick was due.
     bool run_slice(bool has_urgent_words) {
         bool has_run = false;
-        if (has_urgent_words && !has_work()) {
+        if (has_urgent_words && (!has_work() || awaits_steps())) {
             tick();
             has_run = true;
         }
         bool is_at_end = false;
         for (std::uint64_t n = 0; n < kLongestSlice && has_work() && !(is_at_end && !is_settling()); ++n) {
+            if (awaits_steps()) break;
             tick();
             has_run = true;
             if (parts_->cycle->next_tick() % kTicksPerSlice == 0) is_at_end = true;
         }
         return has_run;
+    }
+
+    /// The program that runs has not been written on, and all that was is done: time stands still until it
+    /// is, or something is asked for. So how quickly somebody writes does not show in the trace.
+    bool awaits_steps() {
+        if (!parts_->cycle->awaits_blocks() || parts_->io->requests.size() > 0) return false;
+        if (parts_->io->urgent.failures.load() != 0) return false;
+        if (parts_->planner->wants_poll()) plan();
+        return parts_->planner->is_waiting() && parts_->io->blocks.size() == 0;
     }
 
     /// While a reader is behind: what was asked for takes effect, and nothing else happens.
@@ -160,7 +170,7 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
         }
         if (!time.run_slice(must_be_heard)) {
             parts.traces.flush();
-            supervisor.wait(kIdleWait);
+            supervisor.wait(time.awaits_steps() ? kReaderWait : kIdleWait);
         }
     }
     // A recorded run may end in full motion: what the machine makes of drives that go off then is not part of

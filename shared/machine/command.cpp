@@ -42,6 +42,8 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "drives-off";
         case CommandKind::forget_piece:
             return "forget";
+        case CommandKind::program:
+            return "program";
     }
     return "unknown";  // a number from shared memory may be anything
 }

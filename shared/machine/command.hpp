@@ -36,8 +36,10 @@ enum class CommandKind : std::uint32_t {
     drives_off = 17,  ///< at rest: positions are lost
     forget_piece = 18,  ///< at rest: the one record that it names (saved_checkpoint.hpp), in the segment and
                         ///< on the disk
+    program = 19,  ///< run the program of that number (value2), whose records a writer puts into the ring;
+                   ///< axis: kProgram... bits
 };
-inline constexpr std::uint32_t kCommandKindCount = 19;
+inline constexpr std::uint32_t kCommandKindCount = 20;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;
@@ -47,6 +49,9 @@ inline constexpr std::uint32_t kMostOverride_percent = 200;
 inline constexpr std::uint32_t kStartResumes = 1;
 /// Of a start: heads outside and still, spindle off; table and Y go as they would. No checkpoint.
 inline constexpr std::uint32_t kStartsDry = 2;
+
+/// Of a program: it waits for a resume after each of its blocks.
+inline constexpr std::uint32_t kProgramIsSingle = 1;
 
 /// How a move gets to its target.
 enum class MoveShape : std::uint32_t {

@@ -31,6 +31,7 @@ constexpr std::array kTransitions{
     Transition{S::ready, E::move, S::moving},
     Transition{S::ready, E::start, S::positioning},
     Transition{S::ready, E::drives_off, S::off},
+    Transition{S::ready, E::run_program, S::carving},
 
     Transition{S::moving, E::move_done, S::ready},
 
@@ -39,6 +40,7 @@ constexpr std::array kTransitions{
 
     Transition{S::carving, E::hold, S::holding},
     Transition{S::carving, E::last_point_done, S::finishing},
+    Transition{S::carving, E::program_done, S::ready},
     Transition{S::holding, E::at_rest, S::held},
     Transition{S::holding, E::resume, S::carving},
     Transition{S::held, E::resume, S::carving},

@@ -52,9 +52,11 @@ enum class MachineEvent : std::uint8_t {
     stopped_unhomed,    ///< stopped, and an axis does not know its position (stop while homing)
     begin_test,
     end_test,
-    drives_off,  ///< by command, at rest
+    drives_off,    ///< by command, at rest
+    run_program,   ///< a program of motion records: it is carved as a job is, without an approach
+    program_done,  ///< it has come to its end: rest, spindle off, heads where it left them
 };
-inline constexpr std::uint8_t kMachineEventCount = 25;
+inline constexpr std::uint8_t kMachineEventCount = 27;
 std::string_view name_of(MachineEvent event) noexcept;  ///< "start interpolation", "last point done"
 
 /// The one table of transitions; nothing means the event is refused in that state. A stop is never refused:

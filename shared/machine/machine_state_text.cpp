@@ -89,6 +89,10 @@ std::string_view name_of(MachineEvent event) noexcept {
             return "end test";
         case MachineEvent::drives_off:
             return "drives off";
+        case MachineEvent::run_program:
+            return "run program";
+        case MachineEvent::program_done:
+            return "program done";
     }
     return "unknown";
 }

@@ -54,6 +54,7 @@ TEST(CommandKind, NamesAreThoseOfTheCommandLine) {
     EXPECT_EQ(name_of(CommandKind::back_off), "back-off");
     EXPECT_EQ(name_of(CommandKind::reset_height), "reset-height");
     EXPECT_EQ(name_of(CommandKind::override), "override");
+    EXPECT_EQ(name_of(CommandKind::program), "program");
     EXPECT_EQ(name_of(static_cast<CommandKind>(0xFFFFFFFF)), "unknown");
 }
 

@@ -34,7 +34,8 @@ TEST(AnOvertakenRequest, IsRefusedWhateverItWouldSetGoing) {
         for (const RequestKind kind :
              {RequestKind::home, RequestKind::start, RequestKind::start_interpolation, RequestKind::resume,
               RequestKind::reset_alarm, RequestKind::back_off, RequestKind::reset_height, RequestKind::jog,
-              RequestKind::jog_on, RequestKind::move, RequestKind::spindle, RequestKind::test_pin}) {
+              RequestKind::jog_on, RequestKind::move, RequestKind::run_program, RequestKind::spindle,
+              RequestKind::test_pin}) {
             SCOPED_TRACE(static_cast<int>(kind));
             MachineRig sut(quick_profile());
             const Request before = asked_now(sut, kind, kind == RequestKind::test_pin ? test_order(true) : 1);

@@ -14,7 +14,7 @@ constexpr RequestKind kCommands[] = {
     RequestKind::hold,     RequestKind::resume,       RequestKind::reset_alarm,
     RequestKind::back_off, RequestKind::reset_height, RequestKind::job_loaded,
     RequestKind::jog,      RequestKind::jog_on,       RequestKind::move,
-    RequestKind::spindle};
+    RequestKind::spindle,  RequestKind::run_program};
 
 /// Asks everything but `allowed`; all of it must be refused and change nothing.
 void expect_only(MachineRig& rig, std::initializer_list<RequestKind> allowed) {
@@ -34,7 +34,8 @@ TEST(States, RefuseEveryCommandThatTheyDoNotList) {
     ASSERT_EQ(sut.ask(R::home), Refusal::none);
     expect_only(sut, {R::job_loaded});
     ASSERT_TRUE(sut.run_until(MachineState::ready));
-    expect_only(sut, {R::home, R::reset_height, R::job_loaded, R::jog, R::jog_on, R::move, R::spindle});
+    expect_only(sut, {R::home, R::reset_height, R::job_loaded, R::jog, R::jog_on, R::move, R::spindle,
+                      R::run_program});
     EXPECT_EQ(sut.ask(R::start), Refusal::no_job);
     sut.load(random_job(2, 60, 5));
     ASSERT_EQ(sut.ask(R::start), Refusal::none);

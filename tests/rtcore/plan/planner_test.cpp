@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "tests/rtcore/plan/scripted_source.hpp"
 #include "tests/shared/spiral_fixture.hpp"
 
 namespace psicarve::plan {
@@ -117,6 +118,45 @@ TEST(Planner, CarvesTheJobThatTheTickWasAskedToStart) {
     EXPECT_EQ(carve(7, 1), first->point_count());
     sut.set_job(second, 9);
     EXPECT_EQ(carve(8, 2), 0U) << "no longer known: no program";
+}
+
+// Once each, and by its number.
+TEST(Planner, RunsTheProgramThatTheTickWasAskedFor) {
+    const auto io = std::make_unique<cycle::CycleIo>();
+    Planner sut{Profile{}, *io};
+    cycle::PlanRequest request{};
+    request.kind = cycle::PlanKind::program;
+    request.position_pulses = {6000, 6000, 0, 1000};
+    request.program = 4;
+    const auto blocks_made = [&] {
+        ++request.epoch;
+        io->plan_requests.push(request);
+        sut.poll();
+        cycle::MotionBlock block;
+        std::size_t count = 0;
+        while (io->blocks.pop_into(block)) ++count;
+        return count;
+    };
+    test::Script script{request.position_pulses};
+    script.way({-50, 0, 0, 0}, 0.0).end();
+    const auto source = std::make_shared<test::ScriptedSource>(script.steps);
+    sut.set_source(source, 5);
+    EXPECT_EQ(blocks_made(), 0U) << "another one";
+    request.program = 5;
+    source->written = 1;
+    EXPECT_GT(blocks_made(), 0U);
+    EXPECT_EQ(source->start, request.position_pulses);
+    EXPECT_TRUE(sut.is_waiting());
+    EXPECT_TRUE(sut.wants_poll());
+    source->written = 2;
+    sut.poll();
+    EXPECT_FALSE(sut.is_waiting());
+    EXPECT_FALSE(sut.wants_poll());
+    EXPECT_EQ(io->blocks.size(), 2U);
+    cycle::MotionBlock block;
+    while (io->blocks.pop_into(block)) {
+    }
+    EXPECT_EQ(blocks_made(), 0U) << "it was run already";
 }
 
 }  // namespace

@@ -205,6 +205,17 @@ TEST(MotionRequest, JogsBothHeadsEachInItsOwnPulses) {
     EXPECT_NE(refusal(command, RequestKind::jog), "");
 }
 
+TEST(MotionRequest, OfAProgramNamesItsNumberAndWhetherItGoesBlockByBlock) {
+    Command command{};
+    command.kind = CommandKind::program;
+    command.value2 = 41;
+    command.axis = kProgramIsSingle | 0x80U;
+    const auto request = motion_request(command, RequestKind::run_program, Profile{}, false);
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->value, 41U);
+    EXPECT_EQ(request->axis, 1U);
+}
+
 // Limits that in pulses and back are a little less than they were.
 TEST(MotionRequest, RemarksOnlyOnASpeedBeyondTheLimit) {
     for (int limit_deg_s = 1; limit_deg_s <= 1000; ++limit_deg_s) {

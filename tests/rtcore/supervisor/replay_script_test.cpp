@@ -43,6 +43,24 @@ TEST(ReplayScript, BeginsAtTheFirstHomedRest) {
     EXPECT_EQ(sut->end_tick, 500U);
 }
 
+// Its records are not in the snapshot: nothing before its end can be done again.
+TEST(ReplayScript, BeginsAfterTheLastProgram) {
+    FlightRecord after = state_change(4000, MachineState::ready);
+    after.position_pulses[1] = 77;
+    std::vector<FlightRecord> records{state_change(1000, MachineState::ready),
+                                      command(1500, CommandKind::move), command(2000, CommandKind::program),
+                                      state_change(2000, MachineState::carving),
+                                      command(2500, CommandKind::hold)};
+    EXPECT_FALSE(script_from_records(records).has_value());
+    records.push_back(after);
+    records.push_back(command(5000, CommandKind::move));
+    const auto sut = script_from_records(records);
+    ASSERT_TRUE(sut.has_value());
+    EXPECT_EQ(sut->start_position_pulses[1], 77);
+    ASSERT_EQ(sut->steps.size(), 1U);
+    EXPECT_EQ(sut->steps[0].tick, 1000U);
+}
+
 TEST(ReplayScript, LeavesOutWhatTheMachineRefused) {
     const auto sut = script_from_records({state_change(0, MachineState::ready),
                                           command(5, CommandKind::resume, AnswerKind::refused),

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "shared/machine/program_status.hpp"
+
+namespace psicarve::cycle {
+
+/// The program of motion records at hand: how far it is, what it waits for, and whether it starves. Its
+/// figures outlive it, until the next begins. RT: yes.
+class ProgramRun {
+public:
+    /// So long the machine rests without a next block before that is told: no wait of a writer's turn, and
+    /// nothing that an operator would call a stop.
+    static constexpr std::int64_t kPatience_ns = 200'000'000;
+
+    explicit ProgramRun(std::int64_t step_ns) noexcept : patience_steps_(kPatience_ns / step_ns) {}
+
+    void begin(std::uint64_t program, bool is_single) noexcept {
+        status_ = ProgramStatus{};
+        status_.program = program;
+        status_.is_running = 1;
+        status_.is_single = is_single ? 1 : 0;
+        dry_steps_ = 0;
+        has_begun_ = false;
+    }
+    void end() noexcept {
+        status_.is_running = 0;
+        status_.hold = ProgramHold::none;
+    }
+    bool is_on() const noexcept { return status_.is_running != 0; }
+
+    /// 0: the motion at hand has none.
+    void note_line(std::uint64_t line) noexcept {
+        if (line != 0) status_.line = line;
+    }
+    /// It rests, and waits for the operator or for records.
+    void wait_for(ProgramHold hold) noexcept { status_.hold = hold; }
+    void go_on() noexcept {
+        status_.hold = ProgramHold::none;
+        dry_steps_ = 0;
+    }
+    ProgramHold hold() const noexcept { return status_.hold; }
+    /// Records alone are awaited: with them it goes on by itself.
+    bool is_starved() const noexcept { return status_.hold == ProgramHold::starved; }
+
+    /// Each step of the interpolation in which it runs. True, once: from now on it starves, and that was
+    /// counted. Before its first block it does not.
+    bool falls_dry(bool is_dry) noexcept {
+        if (!is_dry) {
+            dry_steps_ = 0;
+            has_begun_ = true;
+            return false;
+        }
+        if (!has_begun_ || ++dry_steps_ < patience_steps_) return false;
+        wait_for(ProgramHold::starved);
+        ++status_.starvations;
+        return true;
+    }
+
+    const ProgramStatus& status() const noexcept { return status_; }
+
+private:
+    ProgramStatus status_{};
+    std::int64_t patience_steps_;
+    std::int64_t dry_steps_ = 0;
+    bool has_begun_ = false;  ///< a block of it came
+};
+
+}  // namespace psicarve::cycle

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rtcore/plan/record_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "rtcore/plan/block_list.hpp"
+#include "rtcore/plan/path_blocks.hpp"
+#include "rtcore/plan/straight_stretch.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+using cycle::BlockKind;
+using cycle::MotionBlock;
+
+// No feed over the surface: a program says itself how long each way takes.
+constexpr double kNoFeed_mm_s = 1e9;
+// Where Y and a head both leave the chord, each has so much of the tolerance.
+constexpr double kShareOfTwo = 0.7;
+// Of a way that takes longer at full speed than this, points are added near its ends: speeds change evenly
+// between nodes, and there they change much.
+constexpr double kLongWay_s = 0.03;
+constexpr double kRampParts = 4.0;
+constexpr double kRampsApart = 1.25;
+// Whole numbers of a longer line would not fit.
+constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
+// More would be no tolerance of this machine's any more; less is exact to the pulse.
+constexpr double kMostTolerances = 1000.0;
+
+// A rest may be left any way at once: what was jumped to it and what is jumped from it are not more than one
+// jump together.
+MachineLimits program_limits(MachineLimits limits) {
+    limits.is_program = true;
+    limits.feed_mm_s = kNoFeed_mm_s;
+    for (AxisMotion& axis : limits.axes) axis.start_stop_pps *= 0.5;
+    return limits;
+}
+
+}  // namespace
+
+RecordProgram::RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
+                             const Pulses4& start_pulses, bool is_single)
+    : machine_(limits), limits_(program_limits(limits)), source_(std::move(source)), is_single_(is_single) {
+    points_.push_back({start_pulses, 0, 0, false});
+}
+
+bool RecordProgram::next(MotionBlock& block) {
+    while (next_ == blocks_.size()) {
+        if (is_ended_) return false;
+        blocks_.clear();
+        next_ = 0;
+        if (!make_blocks()) return false;
+    }
+    block = blocks_[next_++];
+    return true;
+}
+
+// False if the next step has not come yet.
+bool RecordProgram::make_blocks() {
+    ProgramStep step;
+    is_waiting_ = false;
+    while (blocks_.empty() && !is_ended_) {
+        switch (source_->next(step)) {
+            case Supply::step:
+                take(step);
+                break;
+            case Supply::later:
+                is_waiting_ = true;
+                return false;
+            case Supply::lost:
+                come_to_rest();
+                halt(ProgramHold::feeder_lost, line_);
+                is_ended_ = true;
+                break;
+            case Supply::ended:
+            case Supply::refused:
+                come_to_rest();
+                end(line_);
+                break;
+        }
+    }
+    return true;
+}
+
+void RecordProgram::take(const ProgramStep& step) {
+    line_ = step.line;
+    if (step.kind == MotionKind::way) return take_way(step);
+    come_to_rest();
+    switch (step.kind) {
+        case MotionKind::way:
+            break;
+        case MotionKind::dwell:
+            dwell(round_to_pulse(step.seconds / machine_.tick_seconds()), step.line);
+            break;
+        case MotionKind::spindle:
+            switch_spindle(step.is_spindle_on, step.line);
+            break;
+        case MotionKind::stop:
+            return halt(static_cast<ProgramHold>(step.reason), step.line);
+        case MotionKind::end:
+            return end(step.line);
+    }
+    if (is_single_ && step.ends_block) halt(ProgramHold::single, step.line);
+}
+
+void RecordProgram::take_way(const ProgramStep& step) {
+    const bool is_exact = step.tolerance_mm <= 0.0;
+    if (!is_exact && tolerance_mm_ > 0.0 && step.tolerance_mm != tolerance_mm_) come_to_rest();
+    if (!is_exact) tolerance_mm_ = step.tolerance_mm;
+    if (step.target_pulses != points_.back().pulses) add_way(step);
+    const bool halts = is_single_ && step.ends_block;
+    if (is_exact || halts || points_.size() > kWindowPoints) come_to_rest();
+    if (halts) halt(ProgramHold::single, step.line);
+}
+
+// Near its ends a long way gets points of its own, on the chord to half a pulse.
+void RecordProgram::add_way(const ProgramStep& step) {
+    const Pulses4 from = points_.back().pulses;
+    Lanes way;
+    double length2 = 0.0;
+    double longest_pulses = 0.0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        way[k] = static_cast<double>(step.target_pulses[k] - from[k]);
+        const double seconds = way[k] / limits_.axes[k].speed_pps;
+        length2 += seconds * seconds;
+        longest_pulses = std::max(longest_pulses, std::abs(way[k]));
+    }
+    const double length = std::sqrt(length2);
+    std::vector<double> shares;
+    const auto parts = static_cast<int>(std::ceil(longest_pulses / static_cast<double>(kLongestWayPulses)));
+    for (int part = 1; part < parts; ++part) shares.push_back(static_cast<double>(part) / parts);
+    if (step.tolerance_mm > 0.0 && length > kLongWay_s) {
+        Lanes slope;
+        for (std::size_t k = 0; k < kAxisCount; ++k) slope[k] = way[k] / length;
+        const double ramp = 0.5 / accel_along_way(limits_, slope);
+        const double apart = ramp / kRampParts;
+        const double most = std::min(kRampsApart * ramp, 0.5 * length);
+        for (int i = 1; i * apart < most; ++i) {
+            const double at = i * apart;
+            shares.push_back(at / length);
+            shares.push_back(1.0 - at / length);
+        }
+    }
+    std::sort(shares.begin(), shares.end());
+    for (const double share : shares) {
+        Pulses4 on_the_way;
+        for (std::size_t k = 0; k < kAxisCount; ++k) on_the_way[k] = from[k] + round_to_pulse(way[k] * share);
+        if (on_the_way != points_.back().pulses && on_the_way != step.target_pulses)
+            points_.push_back({on_the_way, 0, 0, false});
+    }
+    points_.push_back({step.target_pulses, 0, 0, false});
+    ways_.push_back({step.line, step.seconds, step.is_rapid, points_.size() - 1});
+}
+
+// Plans all that was gathered; the next window begins where it ends.
+void RecordProgram::come_to_rest() {
+    if (!ways_.empty()) {
+        set_limits();
+        spans_ = path_spans(limits_, points_);
+        pace_spans();
+        corners_ = path_corners(limits_, spans_);
+        std::size_t first = 0;
+        for (std::size_t i = 1; i < points_.size(); ++i) {
+            if (i + 1 < points_.size() && !corners_[i - 1].is_stop) continue;
+            plan_stretch(first, i);
+            first = i;
+        }
+    }
+    points_.erase(points_.begin(), points_.end() - 1);
+    ways_.clear();
+    tolerance_mm_ = 0.0;
+}
+
+void RecordProgram::set_limits() {
+    const auto lifts = [this](const PathPoint& point) { return point.pulses[kY] != points_[0].pulses[kY]; };
+    const double given_mm = tolerance_mm_ > 0.0 ? tolerance_mm_ : machine_.path_tolerance_mm;
+    const double most_mm = kMostTolerances * machine_.path_tolerance_mm;
+    const double share = std::any_of(points_.begin(), points_.end(), lifts) ? kShareOfTwo : 1.0;
+    limits_.path_tolerance_mm = share * std::min(given_mm, most_mm);
+    if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
+    planned_tolerance_mm_ = limits_.path_tolerance_mm;
+    stretches_.emplace(limits_);
+}
+
+// Along each way u passes at most as fast as its least time allows.
+void RecordProgram::pace_spans() {
+    std::size_t span = 0;
+    for (const Way& way : ways_) {
+        const std::size_t first = span;
+        double length = 0.0;
+        for (; span < way.last_point; ++span) length += spans_[span].length;
+        const double pace = way.seconds / length;
+        const double quickest = way.is_rapid ? 1.0 : 1.0 / kFeedFactor[1];
+        for (std::size_t i = first; i < span; ++i)
+            spans_[i].least_pace2 = {pace * pace, quickest * quickest * pace * pace};
+    }
+}
+
+void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
+    pieces_.clear();
+    if (last == first + 1) {
+        Pulses4 way;
+        for (std::size_t k = 0; k < kAxisCount; ++k)
+            way[k] = points_[last].pulses[k] - points_[first].pulses[k];
+        add_straight_stretch(limits_, spans_[first], way, static_cast<std::uint32_t>(last), pieces_);
+    } else {
+        stretches_->plan(points_, spans_, corners_, first, last, pieces_);
+    }
+    const std::size_t begin = blocks_.size();
+    std::size_t point = first + 1;
+    auto way = std::lower_bound(ways_.begin(), ways_.end(), point,
+                                [](const Way& of, std::size_t at) { return of.last_point < at; });
+    for (const PathPiece& piece : pieces_) {
+        MotionBlock& block = blocks_.emplace_back(path_block(machine_, piece));
+        set_program_line(block, way->line);
+        if (piece.point == PathPiece::kNoPoint) continue;
+        if (piece.point == way->last_point && way + 1 != ways_.end()) ++way;
+    }
+    blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
+    note_gaps(machine_, std::span(blocks_).subspan(begin));
+}
+
+MotionBlock& RecordProgram::add_block(BlockKind kind, std::uint64_t line) {
+    MotionBlock& block = blocks_.emplace_back();
+    block.kind = kind;
+    set_program_line(block, line);
+    return block;
+}
+
+void RecordProgram::halt(ProgramHold hold, std::uint64_t line) {
+    add_block(BlockKind::halt, line).halt = hold;
+}
+
+void RecordProgram::dwell(std::int64_t ticks, std::uint64_t line) {
+    if (ticks > 0) add_block(BlockKind::dwell, line).ticks = ticks;
+}
+
+void RecordProgram::switch_spindle(bool is_on, std::uint64_t line) {
+    MotionBlock& block = add_block(BlockKind::outputs, line);
+    block.enable_mask = kAllDrives;
+    block.spindle = is_on ? cycle::Spindle::on : cycle::Spindle::off;
+    if (is_on) dwell(machine_.spinup_ticks, line);
+}
+
+void RecordProgram::end(std::uint64_t line) {
+    switch_spindle(false, line);
+    add_block(BlockKind::program_end, line);
+    is_ended_ = true;
+}
+
+}  // namespace psicarve::plan

@@ -10,7 +10,10 @@ Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, Pro
       sink_(sink),
       problems_(problems),
       references_{options.reference, options.reference},
-      placed_(options.is_start_known ? kAllLetters : AxisMask{0}) {}
+      program_(options.start),
+      machine_(options.start),
+      placed_(options.is_start_known ? kAllLetters : AxisMask{0}),
+      start_placed_(placed_) {}
 
 void Interpreter::run(const Block& block) {
     if (has_ended_ || (block.is_deleted() && options_.skips_deleted)) return;
@@ -61,6 +64,7 @@ void Interpreter::doubt_modes(char tens, char ones) noexcept {
 void Interpreter::pass_wrong() noexcept {
     doubtful_ = kAllLetters;
     placed_ = 0;
+    start_placed_ = 0;
     is_feed_doubtful_ = true;
     is_motion_doubtful_ = true;
 }

@@ -27,6 +27,11 @@ TEST(MachineCheck, DoesNotJudgeAnAxisBeforeTheProgramPlacesIt) {
     EXPECT_EQ(faults_of("G91 G0 X-500\nG90 G0 X20\nG91 X-500\nM2\n"), Faults{"3:5 outside_travel"});
 }
 
+TEST(MachineCheck, JudgesTheFirstPlaceOfAnAxisWhateverItIs) {
+    EXPECT_EQ(faults_of("G0 X0\nM2\n"), Faults{"1:4 core_radius"});
+    EXPECT_EQ(faults_of("G0 X20\nG0 Z0\nZ0\nM2\n"), Faults{"2:4 core_radius"});
+}
+
 TEST(MachineCheck, FindsHowFarAnArcReaches) {
     // From the left to the right of a circle of 10 mm about (51, 40), over its top and below it.
     const std::string begin = "F100\nG0 X41 Y40\n";

@@ -39,6 +39,8 @@ public:
     void end_by_percent(std::uint64_t line);
     /// The lines that follow are not part of the program.
     bool has_ended() const noexcept { return has_ended_; }
+    /// A line that could not be read may have been the end.
+    bool is_end_doubtful() const noexcept { return is_end_doubtful_; }
     std::uint64_t motion_count() const noexcept { return motion_count_; }
 
 private:
@@ -63,11 +65,11 @@ private:
     Fault set_outputs();
     void set_tool();
     void set_spindle();
-    void set_switches();
+    Fault set_switches();
     Fault dwell();
     void set_plane() noexcept;
     void set_distances() noexcept;
-    void set_path();
+    Fault set_path();
     Fault set_length();
     void set_system();
     Fault do_once();
@@ -124,6 +126,7 @@ private:
     bool is_distance_doubtful_ = false;
     bool is_feed_doubtful_ = false;
     bool is_motion_doubtful_ = false;
+    bool is_end_doubtful_ = false;
     bool has_ended_ = false;
     std::uint64_t motion_count_ = 0;
 };

@@ -104,9 +104,32 @@ void MachineCheck::judge_switches(const CanonRecord& record) {
         refuse(record, ProblemCode::speed_unused, "S: the machine's spindle is only switched");
     if (record.kind == CanonKind::coolant && record.code != 9)
         refuse(record, ProblemCode::coolant_unused, "the machine has no output for coolant");
+    if (record.kind == CanonKind::override_set) judge_override(record);
+    if (record.kind == CanonKind::path) judge_tolerance(record);
     if (record.kind == CanonKind::output || record.kind == CanonKind::input)
         refuse(record, ProblemCode::output_missing,
                "M" + std::to_string(record.code) + ": the machine has no such output or input");
+}
+
+/// What asks for the state that holds here anyway is right: no switch is wired, and the operator may always
+/// change the feed.
+void MachineCheck::judge_override(const CanonRecord& record) {
+    const std::string name = "M" + std::to_string(record.code);
+    const bool is_on = record.value != 0.0;
+    if (record.code == 49 || (record.code == 50 && !is_on))
+        refuse(record, ProblemCode::override_kept,
+               name + " would take the feed's override from the operator");
+    if ((record.code == 52 || record.code == 53) && is_on)
+        refuse(record, ProblemCode::output_missing, name + ": the machine has no input for it");
+}
+
+void MachineCheck::judge_tolerance(const CanonRecord& record) {
+    const ProfileBounds bounds = profile_bounds("job.path_tolerance_mm");
+    if (record.value == 0.0 || bounds.hold(record.value)) return;
+    char text[96];
+    std::snprintf(text, sizeof text, "G64 P of %g mm; the machine can have %g to %g mm", record.value,
+                  bounds.least, bounds.greatest);
+    refuse(record, ProblemCode::out_of_range, text);
 }
 
 bool MachineCheck::has_only_our_letters(const CanonRecord& record) {

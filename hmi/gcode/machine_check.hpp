@@ -32,6 +32,8 @@ private:
 
     void refuse(const CanonRecord& record, ProblemCode code, std::string what);
     void judge_switches(const CanonRecord& record);
+    void judge_override(const CanonRecord& record);
+    void judge_tolerance(const CanonRecord& record);
     bool has_only_our_letters(const CanonRecord& record);
     void judge_motion(const CanonRecord& record);
     void judge_arc(const CanonRecord& record);

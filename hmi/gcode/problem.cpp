@@ -61,6 +61,7 @@ constexpr std::array<CodeRow, kProblemCodeCount> kCodeRows{{
     {heads_meet, "heads_meet", "keep the two tips further apart"},
     {spindle_reverse, "spindle_reverse", "use M3: the spindle is only switched"},
     {output_missing, "output_missing", "take it out: nothing is wired there"},
+    {override_kept, "override_kept", "take it out: the operator's overrides always hold"},
     {feed_beside_units, "feed_beside_units", "put the units into a block before the feed"},
     {speed_unused, "speed_unused", "set the speed at the spindle"},
     {coolant_unused, "coolant_unused", "switch coolant by hand"},

@@ -69,6 +69,18 @@ TEST(MachineCheck, WarnsOfWhatTheMachineCannotSwitchAndTheProgramIsRight) {
     EXPECT_EQ(read->faults(), (Faults{"1:1 speed_unused", "2:1 coolant_unused"}));
 }
 
+TEST(MachineCheck, LetsTheOperatorKeepTheOverrides) {
+    EXPECT_EQ(faults_of("M48\nM50\nM50 P1\nM51\nM51 P0\nM52 P0\nM53 P0\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("M49\nM50 P0\nM52\nM53 P1\nM2\n"),
+              (Faults{"1:1 override_kept", "2:1 override_kept", "3:1 output_missing", "4:1 output_missing"}));
+}
+
+TEST(MachineCheck, KnowsTheTolerancesThatAPathCanHave) {
+    EXPECT_EQ(faults_of("G64\nG64 P0\nG64 P10\nG64 P.000001\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G64 P10.1\nG64 P.0000009\nG20\nG64 P1\nM2\n"),
+              (Faults{"1:1 out_of_range", "2:1 out_of_range", "4:1 out_of_range"}));
+}
+
 TEST(MachineCheck, SendsTheHeadsHomeByG28) {
     const Profile profile;
     const auto read = read_program("G28\nM2\n", {}, &profile);

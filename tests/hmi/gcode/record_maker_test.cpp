@@ -131,6 +131,8 @@ TEST(RecordMaker, SharesAnArcsToleranceBetweenChordsAndCorners) {
     EXPECT_EQ(exact.front(), 0.0);
     for (std::size_t i = 1; i + 2 < exact.size(); ++i) EXPECT_EQ(exact[i], 0.015) << i;
     EXPECT_EQ(exact[exact.size() - 2], 0.0);
+    // Where ends are exact no earlier P counts.
+    EXPECT_EQ(tolerances_of("F60 G64 P.2\nG61 G0 Y20\nG3 Y40 J10\nG1 X40\nM2\n", 0.02), exact);
 }
 
 TEST(RecordMaker, SaysWhereABlockEnds) {

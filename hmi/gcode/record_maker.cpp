@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/record_maker.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "hmi/gcode/arc_chords.hpp"
@@ -36,6 +36,8 @@ bool is_motion(const CanonRecord& record) noexcept {
 RecordMaker::RecordMaker(const Profile& profile, const RunOptions& options, RecordSink& sink) noexcept
     : options_(options),
       outlet_(options.program, sink),
+      letters_(profile.gcode),
+      turns_shortest_(profile.gcode.turns_shortest),
       out_mm_{furthest_out_mm(profile, Axis::r1), furthest_out_mm(profile, Axis::r2)},
       own_tolerance_mm_(profile.job.path_tolerance_mm),
       tolerance_mm_(profile.job.path_tolerance_mm) {}
@@ -43,6 +45,7 @@ RecordMaker::RecordMaker(const Profile& profile, const RunOptions& options, Reco
 void RecordMaker::take(const CanonRecord& record) {
     if (outlet_.has_failed()) return;
     if (!has_begun_ && record.line >= options_.from_line) begin(record);
+    if (turns_shortest_ && record.kind == CanonKind::rapid) shorten_turn(record);
     if (has_begun_) carry_out(record);
     note(record);
 }
@@ -66,13 +69,31 @@ void RecordMaker::begin(const CanonRecord& record) {
     outlet_.end_block();
 }
 
+/// From here on psi is counted so that it has at most half a turn to go.
+void RecordMaker::shorten_turn(const CanonRecord& record) noexcept {
+    if ((record.start_placed & record.placed & letters_.mask_of_axis(Axis::psi)) == 0) return;
+    const double turned_deg = turn_deg(record);
+    psi_shift_deg_ -= turned_deg - std::remainder(turned_deg, kDegPerRev);
+}
+
+double RecordMaker::turn_deg(const CanonRecord& record) const noexcept {
+    const std::size_t letter = letters_.letter_of(Axis::psi);
+    return record.end[letter] - record.start[letter];
+}
+
+/// Whether whole turns are all that the rapid way asks of psi, and it need not do them.
+bool RecordMaker::stays_turned(const CanonRecord& record) const noexcept {
+    return turns_shortest_ && (record.start_placed & letters_.mask_of_axis(Axis::psi)) != 0 &&
+           std::remainder(turn_deg(record), kDegPerRev) == 0.0;
+}
+
 /// To where the program stands by now, from anywhere.
 void RecordMaker::approach(std::uint64_t line) {
     if (is_spindle_on_ && !options_.is_dry) put(MotionKind::spindle, line, 1, 0.0);
     if (!has_moved_) return;
     put_heads_out(line);
     for (const AxisMask letters :
-         {mask_of(letters_.letter_of(Axis::psi)), mask_of(letters_.letter_of(Axis::y)), letters_.of_heads()})
+         {letters_.mask_of_axis(Axis::psi), letters_.mask_of_axis(Axis::y), letters_.of_heads()})
         put_way(line, place_, static_cast<AxisMask>(letters & placed_ & moving_letters()), 0.0, 0.0, true);
 }
 
@@ -148,7 +169,7 @@ bool RecordMaker::can_move(const CanonRecord& record) {
         return false;
     }
     if (record.kind != CanonKind::arc || letters_.has_arcs_in(*record.plane)) return true;
-    refuse(record, "an arc moves both heads");
+    refuse(record, "an arc in " + std::string{record.plane->name} + " does not move Y and one head");
     return false;
 }
 
@@ -162,14 +183,17 @@ void RecordMaker::move(const CanonRecord& record) {
         record.feed_per_min > 0.0 ? record.length / record.feed_per_min * kSecondsPerMinute : 0.0;
     // An arc that ends where it begins is a whole circle.
     if (record.kind == CanonKind::arc) return move_on_chords(record, seconds);
-    if ((changed_letters(record) & moving_letters()) == 0) return;
+    AxisMask changed = changed_letters(record);
+    if (record.kind == CanonKind::rapid && stays_turned(record))
+        changed = static_cast<AxisMask>(changed & ~letters_.mask_of_axis(Axis::psi));
+    if ((changed & moving_letters()) == 0) return;
     put_way(record.line, record.end, static_cast<AxisMask>(record.placed & moving_letters()), seconds,
             end_tolerance_mm(), record.kind == CanonKind::rapid);
 }
 
 void RecordMaker::move_on_chords(const CanonRecord& record, double seconds) {
-    const double chord_mm = kChordShare * arc_tolerance_mm();
-    const double corner_mm = arc_tolerance_mm() - chord_mm;
+    const double chord_mm = kChordShare * tolerance_mm_;
+    const double corner_mm = tolerance_mm_ - chord_mm;
     const ArcChords chords{record, chord_mm};
     const AxisMask letters = static_cast<AxisMask>(record.placed & moving_letters());
     const double each_s = seconds / static_cast<double>(chords.count());
@@ -192,15 +216,21 @@ void RecordMaker::put_way(std::uint64_t line, const Position& end, AxisMask lett
         const std::size_t letter = letters_.letter_of(axis);
         if ((letters & mask_of(letter)) == 0) continue;
         way.axes = static_cast<std::uint8_t>(way.axes | 1U << index_of(axis));
-        way.target[index_of(axis)] = end[letter];
+        way.target[index_of(axis)] = axis == Axis::psi ? end[letter] + psi_shift_deg_ : end[letter];
     }
     if (way.axes != 0) outlet_.put(way);
 }
 
 void RecordMaker::put_heads_out(std::uint64_t line) {
-    Position out{};
-    for (const Axis head : {Axis::r1, Axis::r2}) out[letters_.letter_of(head)] = out_mm_[index_of(head)];
-    put_way(line, out, letters_.of_heads(), 0.0, 0.0, true);
+    MotionRecord way{};
+    way.kind = MotionKind::way;
+    way.line = line;
+    way.flags = kIsRapid;
+    for (std::size_t head = 0; head < kHeads; ++head) {
+        way.axes = static_cast<std::uint8_t>(way.axes | 1U << head);
+        way.target[head] = out_mm_[head];
+    }
+    outlet_.put(way);
 }
 
 void RecordMaker::put(MotionKind kind, std::uint64_t line, std::uint8_t code, double seconds) {

@@ -35,6 +35,9 @@ public:
 private:
     void begin(const CanonRecord& record);
     void approach(std::uint64_t line);
+    void shorten_turn(const CanonRecord& record) noexcept;
+    double turn_deg(const CanonRecord& record) const noexcept;
+    bool stays_turned(const CanonRecord& record) const noexcept;
     void carry_out(const CanonRecord& record);
     void note(const CanonRecord& record) noexcept;
 
@@ -49,19 +52,19 @@ private:
 
     /// How near the ends of the present mode must be passed.
     double end_tolerance_mm() const noexcept { return is_exact_ ? 0.0 : tolerance_mm_; }
-    /// How far arcs may be off, whether their ends are exact or not.
-    double arc_tolerance_mm() const noexcept { return is_exact_ ? own_tolerance_mm_ : tolerance_mm_; }
     AxisMask moving_letters() const noexcept;
 
     RunOptions options_;
     RecordOutlet outlet_;
     AxisLetters letters_;
+    bool turns_shortest_;
     std::array<double, kHeads> out_mm_;  ///< where heads are outside everything
     double own_tolerance_mm_;            ///< the profile's
     // What the program has said so far.
-    double tolerance_mm_;
+    double tolerance_mm_;  ///< where ends are exact it is that of arcs, the profile's
     bool is_exact_ = false;
     bool is_spindle_on_ = false;
+    double psi_shift_deg_ = 0.0;  ///< whole turns that psi is further than C says
     Position place_{};
     AxisMask placed_ = 0;
     bool has_moved_ = false;

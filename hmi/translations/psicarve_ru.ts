@@ -1609,6 +1609,14 @@ F12  этот список</translation>
             <translation>Спереди</translation>
         </message>
         <message>
+            <source>G-code</source>
+            <translation>G-код</translation>
+        </message>
+        <message>
+            <source>G0 of C turns as it is written, or the shortest way to the same direction.</source>
+            <translation>G0 оси C поворачивает, как написано, или кратчайшим путём к тому же направлению.</translation>
+        </message>
+        <message>
             <source>Gamma, smooth</source>
             <translation>Гамма, сглаж.</translation>
         </message>
@@ -2211,6 +2219,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Left over %1 mm at most, at %2°, %3 mm high; %4 mm on average</source>
             <translation>Остаётся не более %1 mm, при %2° на высоте %3 mm; в среднем %4 mm</translation>
+        </message>
+        <message>
+            <source>Letters for R1, R2, Y and Psi: X, Z, Y and C, or, as lathes have them, X, U, Z and C.</source>
+            <translation>Буквы осей R1, R2, Y и Psi: X, Z, Y и C или, как у токарных станков, X, U, Z и C.</translation>
         </message>
         <message>
             <source>Level</source>
@@ -3061,6 +3073,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>R2 half</source>
             <translation>Половина R2</translation>
+        </message>
+        <message>
+            <source>R2 has a letter of its own, or goes where the letter of R1 says.</source>
+            <translation>У R2 своя буква, или она идёт туда, куда велит буква R1.</translation>
         </message>
         <message>
             <source>R2 in</source>
@@ -4951,6 +4967,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
         </message>
         <message>
+            <source>a layer is a whole number</source>
+            <translation>номер слоя — целое число</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>слою нужны высота и не менее двух радиусов</translation>
         </message>
@@ -5853,10 +5873,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>layers</source>
             <translation>слои</translation>
-        </message>
-        <message>
-            <source>a layer is a whole number</source>
-            <translation>номер слоя — целое число</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>

@@ -1608,6 +1608,14 @@ F12  本列表</translation>
             <translation>前</translation>
         </message>
         <message>
+            <source>G-code</source>
+            <translation>G 代码</translation>
+        </message>
+        <message>
+            <source>G0 of C turns as it is written, or the shortest way to the same direction.</source>
+            <translation>C 的 G0 按所写的值转动，或以最短路径转到同一方向。</translation>
+        </message>
+        <message>
             <source>Gamma, smooth</source>
             <translation>伽马、平滑</translation>
         </message>
@@ -2210,6 +2218,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Left over %1 mm at most, at %2°, %3 mm high; %4 mm on average</source>
             <translation>余料最多 %1 mm，在 %2°、高 %3 mm 处；平均 %4 mm</translation>
+        </message>
+        <message>
+            <source>Letters for R1, R2, Y and Psi: X, Z, Y and C, or, as lathes have them, X, U, Z and C.</source>
+            <translation>R1、R2、Y 和 Psi 的字母：X、Z、Y 和 C，或按车床习惯为 X、U、Z 和 C。</translation>
         </message>
         <message>
             <source>Level</source>
@@ -3058,6 +3070,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>R2 half</source>
             <translation>R2 半周</translation>
+        </message>
+        <message>
+            <source>R2 has a letter of its own, or goes where the letter of R1 says.</source>
+            <translation>R2 有自己的字母，或跟随 R1 的字母移动。</translation>
         </message>
         <message>
             <source>R2 in</source>
@@ -4944,6 +4960,10 @@ N、Shift+N  下一条、上一条记录
             <translation>作业正在运行（%1）；请停止或等待其结束</translation>
         </message>
         <message>
+            <source>a layer is a whole number</source>
+            <translation>层号须为整数</translation>
+        </message>
+        <message>
             <source>a layer needs its height and at least two radii</source>
             <translation>每层需要高度和至少两个半径</translation>
         </message>
@@ -5846,10 +5866,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>layers</source>
             <translation>层数</translation>
-        </message>
-        <message>
-            <source>a layer is a whole number</source>
-            <translation>层号须为整数</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>

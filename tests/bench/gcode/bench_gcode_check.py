@@ -54,7 +54,7 @@ def processor_s(words, folder):
     if child == 0:
         os.chdir(folder)
         nothing = os.open(os.devnull, os.O_RDWR)
-        for stream in (0, 1):
+        for stream in (0, 1, 2):
             os.dup2(nothing, stream)
         os.execv(words[0], words)
     _, status, used = os.wait4(child, 0)

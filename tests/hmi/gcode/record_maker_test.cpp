@@ -195,7 +195,7 @@ TEST(RecordMaker, RefusesWhatItCannotSay) {
     EXPECT_EQ(failure("G91 G0 Y5", false), "line 2: it is not known where Y begins");
     EXPECT_EQ(failure("F60 G3 I-5", false), "line 2: it is not known where Y begins");
     EXPECT_EQ(failure("G0 A5", true), "line 2: the machine has no axis A");
-    EXPECT_EQ(failure("F60 G18 G3 X50 Z50 R30", true), "line 2: an arc moves both heads");
+    EXPECT_EQ(failure("F60 G18 G3 X50 Z50 R30", true), "line 2: an arc in ZX does not move Y and one head");
     EXPECT_EQ(failure("M4", true), "line 2: the machine's spindle does not turn back");
     EXPECT_EQ(failure("M64 P1", true), "line 2: the machine has no such output or input");
     EXPECT_EQ(failure("M66 P1", true), "line 2: the machine has no such output or input");

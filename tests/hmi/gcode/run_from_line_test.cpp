@@ -36,7 +36,7 @@ std::string drawn_program(unsigned seed) {
         const int kind = std::uniform_int_distribution<int>{0, 15}(random);
         switch (kind) {
             case 0:
-                text += "G0 X" + number(20, 50) + " Z" + number(20, 50);
+                text += "G0 X" + number(20, 50) + " Z" + number(20, 50) + " C" + number(-900, 900);
                 break;
             case 1:
                 text += "G1 Y" + number(10, 90) + " C" + number(-900, 900);
@@ -92,13 +92,15 @@ std::string drawn_program(unsigned seed) {
 TEST(RunFromLine, IsTheTailOfTheWholeProgramFromTheEndOfThatLineOn) {
     for (unsigned seed = 1; seed <= 12; ++seed) {
         const std::string text = drawn_program(seed);
-        const MadeRecords whole = made_records(text);
+        Profile profile;
+        profile.gcode.turns_shortest = seed % 2 == 0;
+        const MadeRecords whole = made_records(text, {}, profile);
         ASSERT_EQ(whole.faults, Faults{}) << text;
         const std::uint64_t last = static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
         for (std::uint64_t line = 1; line <= last; ++line) {
             RunOptions how;
             how.from_line = line;
-            const MadeRecords part = made_records(text, how);
+            const MadeRecords part = made_records(text, how, profile);
             ASSERT_EQ(part.failure, "") << text;
             const std::vector<MotionRecord> wanted = from(whole.records, line);
             ASSERT_GE(part.records.size(), wanted.size()) << "seed " << seed << " line " << line;

@@ -5963,6 +5963,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>низкий</translation>
         </message>
         <message>
+            <source>machine or turning</source>
+            <translation>machine или turning</translation>
+        </message>
+        <message>
             <source>marks %1 mm apart in height; more than %2 mm is no error of mounting. Was Y left alone?</source>
             <translation>метки по высоте в %1 mm друг от друга; больше %2 mm — не погрешность монтажа. Y не трогали?</translation>
         </message>
@@ -6347,6 +6351,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>коррекция</translation>
         </message>
         <message>
+            <source>own or follow</source>
+            <translation>own или follow</translation>
+        </message>
+        <message>
             <source>parallel port</source>
             <translation>параллельный порт</translation>
         </message>
@@ -6597,6 +6605,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>shared memory</source>
             <translation>разделяемая память</translation>
+        </message>
+        <message>
+            <source>shortest or written</source>
+            <translation>shortest или written</translation>
         </message>
         <message>
             <source>shutdown</source>

@@ -5956,6 +5956,10 @@ N、Shift+N  下一条、上一条记录
             <translation>低</translation>
         </message>
         <message>
+            <source>machine or turning</source>
+            <translation>machine 或 turning</translation>
+        </message>
+        <message>
             <source>marks %1 mm apart in height; more than %2 mm is no error of mounting. Was Y left alone?</source>
             <translation>标记高度相差 %1 mm；超过 %2 mm 不是安装误差。Y 是否没有动过？</translation>
         </message>
@@ -6340,6 +6344,10 @@ N、Shift+N  下一条、上一条记录
             <translation>倍率</translation>
         </message>
         <message>
+            <source>own or follow</source>
+            <translation>own 或 follow</translation>
+        </message>
+        <message>
             <source>parallel port</source>
             <translation>并口</translation>
         </message>
@@ -6590,6 +6598,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>shared memory</source>
             <translation>共享内存</translation>
+        </message>
+        <message>
+            <source>shortest or written</source>
+            <translation>shortest 或 written</translation>
         </message>
         <message>
             <source>shutdown</source>

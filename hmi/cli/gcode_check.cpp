@@ -17,12 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr CommandText kGcodeCheckText{"check",
-                                      "Whether a program in G-code is right, and can be run on the machine",
-                                      "All of a program is read, and everything that is wrong is told with "
-                                      "line and column. The machine's letters "
-                                      "are\nX (r1), Z (r2), Y and C (psi).",
-                                      "psicarve gcode check pocket.ngc"};
+constexpr CommandText kGcodeCheckText{
+    "check", "Whether a program in G-code is right, and can be run on the machine",
+    "All of a program is read, and everything that is wrong is told with "
+    "line and column. Which\nletter moves which axis is in the profile's [gcode].",
+    "psicarve gcode check pocket.ngc"};
 
 struct GcodeCheckOptions {
     std::string path;

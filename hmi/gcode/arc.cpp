@@ -78,7 +78,7 @@ double sweep_rad(const PlanePoint& start, const PlanePoint& end, const PlanePoin
     if (turns < 0) sweep = -sweep;
     if (distance_mm(start, end) < kSamePlaceMm) {
         sweep = kWholeRad;
-    } else if (sweep <= 0.0) {
+    } else if (sweep <= kSameDirectionRad) {
         sweep += kWholeRad;
     }
     return turns < 0 ? -(sweep + others_rad) : sweep + others_rad;

@@ -21,6 +21,8 @@ struct ArcFault {
 
 /// An arc whose ends are this close is a whole circle.
 inline constexpr double kSamePlaceMm = 1e-6;
+/// And so is one whose ends lie in the same direction from the centre, whichever way that was rounded.
+inline constexpr double kSameDirectionRad = 1e-12;
 
 /// The fault of a centre, if any: none of the radii may be zero, nor may they differ by more than 0.5 mm, or
 /// by more than both 0.005 mm and a thousandth. Source: grbl 1.1, gcode.c.

@@ -37,6 +37,7 @@ struct CanonRecord {
     AxisMask placed = 0;           ///< axes whose place the program has set by now
     AxisMask start_placed = 0;     ///< the same before
     double feed_per_min = 0.0;     ///< mm, or degrees where only rotary axes move; 0: rapid
+    double length = 0.0;           ///< that the feed counts along, mm or degrees alike; 0: rapid
     const Plane* plane = nullptr;  ///< of an arc
     double centre_first_mm = 0.0;
     double centre_second_mm = 0.0;
@@ -48,6 +49,8 @@ class CanonSink {
 public:
     virtual ~CanonSink() = default;
     virtual void take(const CanonRecord& record) = 0;
+    /// False: it has failed, and there is no use in reading on.
+    virtual bool wants_more() const noexcept { return true; }
 };
 
 }  // namespace psicarve::gcode

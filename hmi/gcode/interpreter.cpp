@@ -1,16 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/interpreter.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace psicarve::gcode {
+namespace {
+
+/// Whether M2 or M30 stands in the text, however it is written.
+bool names_end(std::string_view line) noexcept {
+    bool is_code = false;
+    int number = 0;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        const char byte = i < line.size() ? line[i] : '\n';
+        if (byte == ' ' || byte == '\t') continue;
+        if (is_code && byte >= '0' && byte <= '9') {
+            number = std::min(number * 10 + (byte - '0'), 1000);
+            continue;
+        }
+        if (is_code && (number == 2 || number == 30)) return true;
+        is_code = byte == 'M' || byte == 'm';
+        number = 0;
+    }
+    return false;
+}
+
+}  // namespace
 
 Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, ProblemList& problems)
     : options_(options),
       sink_(sink),
       problems_(problems),
       references_{options.reference, options.reference},
-      placed_(options.is_start_known ? kAllLetters : AxisMask{0}) {}
+      program_(options.start),
+      machine_(options.start),
+      placed_(options.is_start_known ? kAllLetters : AxisMask{0}),
+      start_placed_(placed_) {}
 
 void Interpreter::run(const Block& block) {
     if (has_ended_ || (block.is_deleted() && options_.skips_deleted)) return;
@@ -25,14 +50,14 @@ void Interpreter::run(const Block& block) {
         const int code =
             word.letter == 'G' && word.value >= 10.0 && word.value < 100.0 ? static_cast<int>(word.value) : 0;
         if (code > 0) doubt_modes(static_cast<char>('0' + code / 10), static_cast<char>('0' + code % 10));
+        // A program that is wrong in its last block has an end all the same.
+        if (word.letter == 'M' && (word.value == 2.0 || word.value == 30.0)) has_ended_ = true;
     }
-    // A program that is wrong in its last block has an end all the same.
-    const int stop_code = words_.code(CodeGroup::stop);
-    if (stop_code == 2 || stop_code == 30) has_ended_ = true;
 }
 
 void Interpreter::pass_unreadable(std::string_view line) noexcept {
     pass_wrong();
+    is_end_doubtful_ = is_end_doubtful_ || names_end(line);
     std::size_t read = 0;  // of G and two digits
     char tens = ' ';
     for (const char byte : line) {
@@ -61,6 +86,7 @@ void Interpreter::doubt_modes(char tens, char ones) noexcept {
 void Interpreter::pass_wrong() noexcept {
     doubtful_ = kAllLetters;
     placed_ = 0;
+    start_placed_ = 0;
     is_feed_doubtful_ = true;
     is_motion_doubtful_ = true;
 }
@@ -161,12 +187,12 @@ Interpreter::Fault Interpreter::execute() {
     if (auto wrong = set_outputs()) return wrong;
     set_tool();
     set_spindle();
-    set_switches();
+    if (auto wrong = set_switches()) return wrong;
     if (auto wrong = dwell()) return wrong;
     set_plane();
     if (auto wrong = set_length()) return wrong;
     set_system();
-    set_path();
+    if (auto wrong = set_path()) return wrong;
     set_distances();
     if (auto wrong = do_once()) return wrong;
     if (auto wrong = move()) return wrong;

@@ -21,7 +21,8 @@ struct InterpreterOptions {
     Dialect dialect = Dialect::ngc;
     bool skips_deleted = false;  ///< blocks that begin with / are left out
     Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
-    bool is_start_known = true;  ///< the program begins at the machine's zero
+    Position start{};            ///< where the machine stands, machine coordinates
+    bool is_start_known = true;  ///< it stands there; false: anywhere
 };
 
 /// Executes blocks in the order of RS274/NGC, one after the other, and gives their meaning to a sink. A wrong
@@ -38,10 +39,17 @@ public:
     void end_by_percent(std::uint64_t line);
     /// The lines that follow are not part of the program.
     bool has_ended() const noexcept { return has_ended_; }
+    /// A line that could not be read may have been the end.
+    bool is_end_doubtful() const noexcept { return is_end_doubtful_; }
     std::uint64_t motion_count() const noexcept { return motion_count_; }
 
 private:
     using Fault = std::optional<Problem>;
+    /// A move's feed, and the length that it counts along: mm, or degrees.
+    struct FeedAlong {
+        double per_min = 0.0;
+        double length = 0.0;
+    };
 
     void pass_wrong() noexcept;
     void doubt_modes(char tens, char ones) noexcept;
@@ -57,11 +65,11 @@ private:
     Fault set_outputs();
     void set_tool();
     void set_spindle();
-    void set_switches();
+    Fault set_switches();
     Fault dwell();
     void set_plane() noexcept;
     void set_distances() noexcept;
-    void set_path();
+    Fault set_path();
     Fault set_length();
     void set_system();
     Fault do_once();
@@ -81,7 +89,7 @@ private:
     void drill_hole(Position& at, double clear_mm, double depth_mm, double retract_mm);
 
     Fault check_feed();
-    double feed_of_line(const Position& from, const Position& to) const noexcept;
+    FeedAlong feed_of_line(const Position& from, const Position& to) const noexcept;
     double feed_of_length(double length) const noexcept;
     Position target() const noexcept;
     double axis_mm(std::size_t axis) const noexcept;
@@ -91,7 +99,7 @@ private:
 
     CanonRecord record(CanonKind kind) const;
     void emit(CanonKind kind, int code, double value);
-    void emit_move(CanonRecord& record, const Position& program, double feed_per_min);
+    void emit_move(CanonRecord& record, const Position& program, const FeedAlong& along);
     void rapid_to(const Position& program);
     void feed_to(const Position& program);
     void refresh_program() noexcept;
@@ -109,14 +117,16 @@ private:
     Position program_{};  ///< where the machine stands, in program coordinates
     Position machine_{};
     int motion_to_be_ = kNoCode;
-    AxisMask placed_ = 0;    ///< machine axes whose place the program has set
-    AxisMask doubtful_ = 0;  ///< axes that a wrong block was perhaps meant to move
+    AxisMask placed_ = 0;        ///< machine axes whose place the program has set, by this block, too
+    AxisMask start_placed_ = 0;  ///< the same where the machine stands
+    AxisMask doubtful_ = 0;      ///< axes that a wrong block was perhaps meant to move
     UnknownZeros unknown_;
     bool is_too_far_ = false;          ///< a move of this block was left out
     bool are_units_doubtful_ = false;  ///< a wrong block may have changed the units
     bool is_distance_doubtful_ = false;
     bool is_feed_doubtful_ = false;
     bool is_motion_doubtful_ = false;
+    bool is_end_doubtful_ = false;
     bool has_ended_ = false;
     std::uint64_t motion_count_ = 0;
 };

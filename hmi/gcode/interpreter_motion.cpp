@@ -9,6 +9,8 @@ namespace psicarve::gcode {
 namespace {
 
 constexpr double kMostTurns = 1e6;
+/// What is left where offsets were added and taken off again is no move [mm].
+constexpr double kLeastLength = 1e-7;
 /// In mm or degrees; pulses of it can be counted.
 constexpr double kFurthest = 1e9;
 
@@ -124,22 +126,26 @@ double Interpreter::feed_of_length(double length) const noexcept {
     return modes_.feed_mm;
 }
 
-double Interpreter::feed_of_line(const Position& from, const Position& to) const noexcept {
+Interpreter::FeedAlong Interpreter::feed_of_line(const Position& from, const Position& to) const noexcept {
     double length = length_of(from, to, 0);
-    if (length == 0.0) length = length_of(from, to, 6);
-    if (length > 0.0) return feed_of_length(length);
+    if (length < kLeastLength) length = length_of(from, to, 6);
+    if (length >= kLeastLength) return {feed_of_length(length), length};
     const double turned_deg = length_of(from, to, 3);
-    if (turned_deg == 0.0 || modes_.feed_mode == FeedMode::inverse_time) return feed_of_length(turned_deg);
+    if (turned_deg == 0.0 || modes_.feed_mode == FeedMode::inverse_time)
+        return {feed_of_length(turned_deg), turned_deg};
     // Degrees, whatever the unit of length.
-    return modes_.feed_mode == FeedMode::per_minute ? modes_.feed_number
-                                                    : modes_.feed_number * modes_.spindle_rpm;
+    return {modes_.feed_mode == FeedMode::per_minute ? modes_.feed_number
+                                                     : modes_.feed_number * modes_.spindle_rpm,
+            turned_deg};
 }
 
-void Interpreter::emit_move(CanonRecord& moved, const Position& program, double feed_per_min) {
+void Interpreter::emit_move(CanonRecord& moved, const Position& program, const FeedAlong& along) {
     moved.start = machine_;
     moved.column = words_.axis_column();
-    moved.feed_per_min = feed_per_min;
+    moved.feed_per_min = along.per_min;
+    moved.length = along.length;
     moved.placed = placed_;
+    moved.start_placed = start_placed_;
     const Position machine = offsets_.to_machine(program);
     if (!is_in_reach(machine) || !(std::abs(moved.centre_first_mm) <= kFurthest) ||
         !(std::abs(moved.centre_second_mm) <= kFurthest)) {
@@ -148,6 +154,7 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, double 
     }
     program_ = program;
     machine_ = machine;
+    start_placed_ = placed_;
     moved.end = machine_;
     ++motion_count_;
     sink_.take(moved);
@@ -155,13 +162,11 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, double 
 
 void Interpreter::rapid_to(const Position& program) {
     CanonRecord moved = record(CanonKind::rapid);
-    moved.start_placed = placed_;
-    emit_move(moved, program, 0.0);
+    emit_move(moved, program, {});
 }
 
 void Interpreter::feed_to(const Position& program) {
     CanonRecord moved = record(CanonKind::feed);
-    moved.start_placed = placed_;
     emit_move(moved, program, feed_of_line(program_, program));
 }
 
@@ -241,7 +246,6 @@ Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
     if (auto wrong = find_centre(from, to, is_clockwise, centre)) return wrong;
     if (auto wrong = read_turns(turns)) return wrong;
     CanonRecord moved = record(CanonKind::arc);
-    moved.start_placed = placed_;
     note_places(words_.axes(), false);
     Position middle = end;
     middle[plane.first] = centre.first_mm;
@@ -251,14 +255,10 @@ Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
     moved.centre_first_mm = middle[plane.first];
     moved.centre_second_mm = middle[plane.second];
     moved.turns = is_clockwise ? -turns : turns;
-    double feed_per_min = feed_of_length(0.0);
-    if (modes_.feed_mode == FeedMode::inverse_time) {
-        const double radius_mm =
-            std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
-        const double round_mm = radius_mm * sweep_rad(from, to, centre, moved.turns);
-        feed_per_min = feed_of_length(std::hypot(round_mm, end[plane.across] - program_[plane.across]));
-    }
-    emit_move(moved, end, feed_per_min);
+    const double radius_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
+    const double round_mm = radius_mm * sweep_rad(from, to, centre, moved.turns);
+    const double length_mm = std::hypot(round_mm, end[plane.across] - program_[plane.across]);
+    emit_move(moved, end, {feed_of_length(length_mm), length_mm});
     return std::nullopt;
 }
 

@@ -8,6 +8,8 @@ namespace psicarve::gcode {
 namespace {
 
 constexpr double kMostOutputs = 64.0;
+/// Source: LinuxCNC 2.9, M66 L: at once, a rise, a fall, high, low.
+constexpr double kMostWaits = 4.0;
 
 FeedMode feed_mode_of(int code) noexcept {
     return code == 930 ? FeedMode::inverse_time
@@ -57,6 +59,14 @@ Interpreter::Fault Interpreter::set_outputs() {
     if (number < 0.0 || number >= kMostOutputs)
         return fault(words_.column('P'), ProblemCode::out_of_range,
                      "outputs and inputs have numbers 0 to 63");
+    if (code == 66) {
+        if (words_.has('L') && !is_whole(words_.value('L')))
+            return fault(words_.column('L'), ProblemCode::not_whole, "L of M66 is a way to wait");
+        if (words_.has('L') && (words_.value('L') < 0.0 || words_.value('L') > kMostWaits))
+            return fault(words_.column('L'), ProblemCode::out_of_range, "L of M66 is 0 to 4");
+        if (words_.has('Q') && words_.value('Q') < 0.0)
+            return fault(words_.column('Q'), ProblemCode::out_of_range, "a wait of less than 0 s");
+    }
     emit(code == 66 ? CanonKind::input : CanonKind::output, code, number);
     return std::nullopt;
 }
@@ -79,11 +89,16 @@ void Interpreter::set_spindle() {
     emit(CanonKind::spindle, code, modes_.spindle_rpm);
 }
 
-void Interpreter::set_switches() {
+Interpreter::Fault Interpreter::set_switches() {
     if (words_.has(CodeGroup::coolant)) emit(CanonKind::coolant, words_.code(CodeGroup::coolant), 0.0);
-    if (words_.has(CodeGroup::overrides))
-        emit(CanonKind::override_set, words_.code(CodeGroup::overrides),
-             words_.has('P') ? words_.value('P') : 1.0);
+    if (!words_.has(CodeGroup::overrides)) return std::nullopt;
+    const int code = words_.code(CodeGroup::overrides);
+    const double value = code >= 50 && words_.has('P') ? words_.value('P') : 1.0;
+    if (value != 0.0 && value != 1.0)
+        return fault(words_.column('P'), ProblemCode::out_of_range,
+                     "P of " + code_name('M', code) + " is 0, off, or 1, on");
+    emit(CanonKind::override_set, code, value);
+    return std::nullopt;
 }
 
 Interpreter::Fault Interpreter::dwell() {
@@ -112,11 +127,15 @@ void Interpreter::set_distances() noexcept {
     if (words_.has(CodeGroup::retract)) modes_.retracts_to_start = words_.code(CodeGroup::retract) == 980;
 }
 
-void Interpreter::set_path() {
+Interpreter::Fault Interpreter::set_path() {
     const int code = words_.code(CodeGroup::path);
-    if (code == kNoCode) return;
+    if (code == kNoCode) return std::nullopt;
     const bool has_tolerance = code == 640 && words_.has('P');
+    for (const char letter : {'P', 'Q'})
+        if (code == 640 && words_.has(letter) && words_.value(letter) < 0.0)
+            return fault(words_.column(letter), ProblemCode::out_of_range, "a tolerance of less than 0");
     emit(CanonKind::path, code, has_tolerance ? words_.value('P') * modes_.mm_per_unit : 0.0);
+    return std::nullopt;
 }
 
 Interpreter::Fault Interpreter::set_length() {

@@ -12,13 +12,6 @@
 namespace psicarve::gcode {
 namespace {
 
-constexpr std::size_t kLetterX = 0;
-constexpr std::size_t kLetterY = 1;
-constexpr std::size_t kLetterZ = 2;
-constexpr std::size_t kLetterC = 5;
-/// A B U V W.
-constexpr AxisMask kForeignLetters = 0x1D8;
-
 std::string length_text(double length_mm) {
     char text[48];
     std::snprintf(text, sizeof text, "%.4f mm", length_mm);
@@ -64,20 +57,20 @@ bool is_new_place(const CanonRecord& record, std::size_t letter) noexcept {
 
 MachineCheck::MachineCheck(const Profile& profile, ProblemList& problems)
     : problems_(problems),
-      axes_{
-          {{kLetterX, Axis::r1, axis_motion(profile, Axis::r1), core_radius_pulses(profile, Axis::r1), "r1"},
-           {kLetterY, Axis::y, axis_motion(profile, Axis::y), 0, "y"},
-           {kLetterZ, Axis::r2, axis_motion(profile, Axis::r2), core_radius_pulses(profile, Axis::r2),
-            "r2"}}},
+      letters_(profile.gcode),
+      axes_{{{Axis::r1, axis_motion(profile, Axis::r1), core_radius_pulses(profile, Axis::r1), "r1"},
+             {Axis::r2, axis_motion(profile, Axis::r2), core_radius_pulses(profile, Axis::r2), "r2"},
+             {Axis::y, axis_motion(profile, Axis::y), 0, "y"}}},
       tips_mm_(profile.r1.tip_mm() + profile.r2.tip_mm()),
       clearance_mm_(profile.head_clearance_mm) {}
 
 Position MachineCheck::reference_of(const Profile& profile) noexcept {
+    const AxisLetters letters{profile.gcode};
     Position reference{};
-    reference[kLetterX] = profile.r1.home_position_mm;
-    reference[kLetterY] = profile.y.home_position_mm;
-    reference[kLetterZ] = profile.r2.home_position_mm;
-    reference[kLetterC] = profile.psi.home_position_deg;
+    reference[letters.letter_of(Axis::r2)] = profile.r2.home_position_mm;
+    reference[letters.letter_of(Axis::r1)] = profile.r1.home_position_mm;
+    reference[letters.letter_of(Axis::y)] = profile.y.home_position_mm;
+    reference[letters.letter_of(Axis::psi)] = profile.psi.home_position_deg;
     return reference;
 }
 
@@ -104,24 +97,43 @@ void MachineCheck::judge_switches(const CanonRecord& record) {
         refuse(record, ProblemCode::speed_unused, "S: the machine's spindle is only switched");
     if (record.kind == CanonKind::coolant && record.code != 9)
         refuse(record, ProblemCode::coolant_unused, "the machine has no output for coolant");
+    if (record.kind == CanonKind::override_set) judge_override(record);
+    if (record.kind == CanonKind::path) judge_tolerance(record);
     if (record.kind == CanonKind::output || record.kind == CanonKind::input)
         refuse(record, ProblemCode::output_missing,
                "M" + std::to_string(record.code) + ": the machine has no such output or input");
 }
 
+/// What asks for the state that holds here anyway is right: no switch is wired, and the operator may always
+/// change the feed.
+void MachineCheck::judge_override(const CanonRecord& record) {
+    const std::string name = "M" + std::to_string(record.code);
+    const bool is_on = record.value != 0.0;
+    if (record.code == 49 || (record.code == 50 && !is_on))
+        refuse(record, ProblemCode::override_kept,
+               name + " would take the feed's override from the operator");
+    if ((record.code == 52 || record.code == 53) && is_on)
+        refuse(record, ProblemCode::output_missing, name + ": the machine has no input for it");
+}
+
+void MachineCheck::judge_tolerance(const CanonRecord& record) {
+    const ProfileBounds bounds = profile_bounds("job.path_tolerance_mm");
+    if (record.value == 0.0 || bounds.hold(record.value)) return;
+    char text[96];
+    std::snprintf(text, sizeof text, "G64 P of %g mm; the machine can have %g to %g mm", record.value,
+                  bounds.least, bounds.greatest);
+    refuse(record, ProblemCode::out_of_range, text);
+}
+
 bool MachineCheck::has_only_our_letters(const CanonRecord& record) {
     for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
-        const bool is_foreign = (kForeignLetters & mask_of(letter)) != 0;
+        const bool is_foreign = (letters_.all() & mask_of(letter)) == 0;
         if (!is_foreign || record.start[letter] == record.end[letter]) continue;
         refuse(record, ProblemCode::axis_missing,
                "the machine has no axis " + std::string{kAxisLetters[letter]});
         return false;
     }
     return true;
-}
-
-const MachineCheck::LinearAxis& MachineCheck::axis_of_letter(std::size_t letter) const noexcept {
-    return axes_[letter];
 }
 
 void MachineCheck::judge_extents(const CanonRecord& record, const LinearAxis& axis, double least_mm,
@@ -144,10 +156,12 @@ void MachineCheck::judge_extents(const CanonRecord& record, const LinearAxis& ax
 }
 
 void MachineCheck::judge_tips(const CanonRecord& record) {
-    const AxisMask both = static_cast<AxisMask>(mask_of(kLetterX) | mask_of(kLetterZ));
+    const std::size_t first = letters_.letter_of(Axis::r1);
+    const std::size_t second = letters_.letter_of(Axis::r2);
+    const AxisMask both = letters_.of_heads();
     if ((record.placed & both) != both) return;
-    if (!is_new_place(record, kLetterX) && !is_new_place(record, kLetterZ)) return;
-    const double apart_mm = record.end[kLetterX] + record.end[kLetterZ] + tips_mm_;
+    if (!is_new_place(record, first) && !is_new_place(record, second)) return;
+    const double apart_mm = record.end[first] + record.end[second] + tips_mm_;
     // Half a micrometre, less than a pulse: sums of decimal numbers are not exact.
     if (apart_mm >= clearance_mm_ - 0.0005) return;
     refuse(record, ProblemCode::heads_meet,
@@ -155,33 +169,37 @@ void MachineCheck::judge_tips(const CanonRecord& record) {
                " apart, closer than head_clearance_mm = " + length_text(clearance_mm_));
 }
 
-void MachineCheck::judge_end(const CanonRecord& record, std::size_t letter) {
+void MachineCheck::judge_end(const CanonRecord& record, const LinearAxis& axis) {
+    const std::size_t letter = letters_.letter_of(axis.axis);
     if (!is_new_place(record, letter)) return;
-    judge_extents(record, axis_of_letter(letter), record.end[letter], record.end[letter]);
+    judge_extents(record, axis, record.end[letter], record.end[letter]);
 }
 
 void MachineCheck::judge_motion(const CanonRecord& record) {
     if (!has_only_our_letters(record)) return;
-    for (const LinearAxis& axis : axes_) judge_end(record, axis.letter);
+    for (const LinearAxis& axis : axes_) judge_end(record, axis);
     judge_tips(record);
 }
 
 void MachineCheck::judge_arc(const CanonRecord& record) {
     if (!has_only_our_letters(record)) return;
     const Plane& plane = *record.plane;
-    if (plane.across == kLetterY)
-        return refuse(record, ProblemCode::arc_axes, "an arc in ZX moves both heads");
+    if (!letters_.has_arcs_in(plane))
+        return refuse(record, ProblemCode::arc_axes,
+                      "an arc in " + std::string{plane.name} + " does not move Y and one head");
     const AxisMask both = static_cast<AxisMask>(mask_of(plane.first) | mask_of(plane.second));
-    if ((record.start_placed & record.placed & both) == both) {
-        const ArcExtents found = extents_of(record);
-        judge_extents(record, axis_of_letter(plane.first), found.least_mm[0], found.most_mm[0]);
-        judge_extents(record, axis_of_letter(plane.second), found.least_mm[1], found.most_mm[1]);
-    } else {
-        // Its reach is not known, but its end is.
-        judge_end(record, plane.first);
-        judge_end(record, plane.second);
+    const bool is_reach_known = (record.start_placed & record.placed & both) == both;
+    const ArcExtents found = extents_of(record);
+    for (const LinearAxis& axis : axes_) {
+        const std::size_t letter = letters_.letter_of(axis.axis);
+        // Where its reach is not known, its end is.
+        if (!is_reach_known || (both & mask_of(letter)) == 0) {
+            judge_end(record, axis);
+        } else {
+            const std::size_t which = letter == plane.first ? 0 : 1;
+            judge_extents(record, axis, found.least_mm[which], found.most_mm[which]);
+        }
     }
-    judge_end(record, plane.across);
     judge_tips(record);
 }
 

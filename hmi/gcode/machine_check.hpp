@@ -3,15 +3,16 @@
 
 #include <string>
 
+#include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "shared/profile/profile.hpp"
 
 namespace psicarve::gcode {
 
-/// Judges motion by a machine with the letters X = R1, Z = R2, Y and C = Psi, as far as that is possible
-/// without planning: letters, arcs, travel of ends and arcs, core radius, the tips' distance at ends,
-/// outputs. Does not judge axes whose place the program has not set yet.
+/// Judges motion by a machine whose axes have the letters of the profile, as far as that is possible without
+/// planning: letters, arcs, travel of ends and arcs, core radius, the tips' distance at ends, outputs. Does
+/// not judge axes whose place the program has not set yet.
 class MachineCheck : public CanonSink {
 public:
     /// The list outlives the check.
@@ -23,7 +24,6 @@ public:
 
 private:
     struct LinearAxis {
-        std::size_t letter;
         Axis axis;
         AxisMotion motion;
         std::int64_t core_pulses;  ///< of a head
@@ -32,15 +32,17 @@ private:
 
     void refuse(const CanonRecord& record, ProblemCode code, std::string what);
     void judge_switches(const CanonRecord& record);
+    void judge_override(const CanonRecord& record);
+    void judge_tolerance(const CanonRecord& record);
     bool has_only_our_letters(const CanonRecord& record);
     void judge_motion(const CanonRecord& record);
     void judge_arc(const CanonRecord& record);
     void judge_extents(const CanonRecord& record, const LinearAxis& axis, double least_mm, double most_mm);
-    void judge_end(const CanonRecord& record, std::size_t letter);
+    void judge_end(const CanonRecord& record, const LinearAxis& axis);
     void judge_tips(const CanonRecord& record);
-    const LinearAxis& axis_of_letter(std::size_t letter) const noexcept;
 
     ProblemList& problems_;
+    AxisLetters letters_;
     std::array<LinearAxis, 3> axes_;
     double tips_mm_;  ///< how much further out than counted both heads' tips stand, together
     double clearance_mm_;

@@ -55,11 +55,12 @@ enum class ProblemCode : std::uint8_t {
     heads_meet,
     spindle_reverse,
     output_missing,
+    override_kept,
     feed_beside_units,
     speed_unused,
     coolant_unused,
 };
-inline constexpr std::size_t kProblemCodeCount = 47;
+inline constexpr std::size_t kProblemCodeCount = 48;
 
 std::string_view name_of(ProblemCode code) noexcept;
 /// What to do about it, one clause.

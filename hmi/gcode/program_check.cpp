@@ -24,7 +24,7 @@ Result<ProgramFacts> interpret_program(LineSource& lines, const InterpreterOptio
     std::string_view line;
     bool has_begun = false;
     bool is_framed = false;
-    while (!interpreter->has_ended()) {
+    while (!interpreter->has_ended() && sink.wants_more()) {
         const auto has_line = lines.next(line);
         if (!has_line) return has_line.error();
         if (!*has_line) break;
@@ -43,7 +43,7 @@ Result<ProgramFacts> interpret_program(LineSource& lines, const InterpreterOptio
             interpreter->run(*block);
         }
     }
-    if (!interpreter->has_ended())
+    if (!interpreter->has_ended() && !interpreter->is_end_doubtful() && sink.wants_more())
         problems.add({std::max<std::uint64_t>(lines.number(), 1), 1, ProblemCode::no_end,
                       lines.number() == 0 ? "the program is empty" : "the program has no end"});
     return ProgramFacts{lines.number(), interpreter->motion_count(), interpreter->has_ended()};

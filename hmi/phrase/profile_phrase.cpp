@@ -108,6 +108,9 @@ std::vector<Phrase> choices() {
             phrase("point, ball, flat or vee"),
             phrase("over-ticks or within-tick"),
             phrase("lift or stay"),
+            phrase("machine or turning"),
+            phrase("own or follow"),
+            phrase("shortest or written"),
             phrase("min, max or none"),
             phrase("index or none")};
 }

@@ -1609,6 +1609,14 @@ F12  этот список</translation>
             <translation>Спереди</translation>
         </message>
         <message>
+            <source>G-code</source>
+            <translation>G-код</translation>
+        </message>
+        <message>
+            <source>G0 of C turns as it is written, or the shortest way to the same direction.</source>
+            <translation>G0 оси C поворачивает, как написано, или кратчайшим путём к тому же направлению.</translation>
+        </message>
+        <message>
             <source>Gamma, smooth</source>
             <translation>Гамма, сглаж.</translation>
         </message>
@@ -2211,6 +2219,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Left over %1 mm at most, at %2°, %3 mm high; %4 mm on average</source>
             <translation>Остаётся не более %1 mm, при %2° на высоте %3 mm; в среднем %4 mm</translation>
+        </message>
+        <message>
+            <source>Letters for R1, R2, Y and Psi: X, Z, Y and C, or, as lathes have them, X, U, Z and C.</source>
+            <translation>Буквы осей R1, R2, Y и Psi: X, Z, Y и C или, как у токарных станков, X, U, Z и C.</translation>
         </message>
         <message>
             <source>Level</source>
@@ -3061,6 +3073,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>R2 half</source>
             <translation>Половина R2</translation>
+        </message>
+        <message>
+            <source>R2 has a letter of its own, or goes where the letter of R1 says.</source>
+            <translation>У R2 своя буква, или она идёт туда, куда велит буква R1.</translation>
         </message>
         <message>
             <source>R2 in</source>
@@ -5991,6 +6007,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>низкий</translation>
         </message>
         <message>
+            <source>machine or turning</source>
+            <translation>machine или turning</translation>
+        </message>
+        <message>
             <source>marks %1 mm apart in height; more than %2 mm is no error of mounting. Was Y left alone?</source>
             <translation>метки по высоте в %1 mm друг от друга; больше %2 mm — не погрешность монтажа. Y не трогали?</translation>
         </message>
@@ -6375,6 +6395,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>коррекция</translation>
         </message>
         <message>
+            <source>own or follow</source>
+            <translation>own или follow</translation>
+        </message>
+        <message>
             <source>parallel port</source>
             <translation>параллельный порт</translation>
         </message>
@@ -6629,6 +6653,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>shared memory</source>
             <translation>разделяемая память</translation>
+        </message>
+        <message>
+            <source>shortest or written</source>
+            <translation>shortest или written</translation>
         </message>
         <message>
             <source>shutdown</source>

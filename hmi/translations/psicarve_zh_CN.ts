@@ -1608,6 +1608,14 @@ F12  本列表</translation>
             <translation>前</translation>
         </message>
         <message>
+            <source>G-code</source>
+            <translation>G 代码</translation>
+        </message>
+        <message>
+            <source>G0 of C turns as it is written, or the shortest way to the same direction.</source>
+            <translation>C 的 G0 按所写的值转动，或以最短路径转到同一方向。</translation>
+        </message>
+        <message>
             <source>Gamma, smooth</source>
             <translation>伽马、平滑</translation>
         </message>
@@ -2210,6 +2218,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Left over %1 mm at most, at %2°, %3 mm high; %4 mm on average</source>
             <translation>余料最多 %1 mm，在 %2°、高 %3 mm 处；平均 %4 mm</translation>
+        </message>
+        <message>
+            <source>Letters for R1, R2, Y and Psi: X, Z, Y and C, or, as lathes have them, X, U, Z and C.</source>
+            <translation>R1、R2、Y 和 Psi 的字母：X、Z、Y 和 C，或按车床习惯为 X、U、Z 和 C。</translation>
         </message>
         <message>
             <source>Level</source>
@@ -3058,6 +3070,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>R2 half</source>
             <translation>R2 半周</translation>
+        </message>
+        <message>
+            <source>R2 has a letter of its own, or goes where the letter of R1 says.</source>
+            <translation>R2 有自己的字母，或跟随 R1 的字母移动。</translation>
         </message>
         <message>
             <source>R2 in</source>
@@ -5984,6 +6000,10 @@ N、Shift+N  下一条、上一条记录
             <translation>低</translation>
         </message>
         <message>
+            <source>machine or turning</source>
+            <translation>machine 或 turning</translation>
+        </message>
+        <message>
             <source>marks %1 mm apart in height; more than %2 mm is no error of mounting. Was Y left alone?</source>
             <translation>标记高度相差 %1 mm；超过 %2 mm 不是安装误差。Y 是否没有动过？</translation>
         </message>
@@ -6368,6 +6388,10 @@ N、Shift+N  下一条、上一条记录
             <translation>倍率</translation>
         </message>
         <message>
+            <source>own or follow</source>
+            <translation>own 或 follow</translation>
+        </message>
+        <message>
             <source>parallel port</source>
             <translation>并口</translation>
         </message>
@@ -6622,6 +6646,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>shared memory</source>
             <translation>共享内存</translation>
+        </message>
+        <message>
+            <source>shortest or written</source>
+            <translation>shortest 或 written</translation>
         </message>
         <message>
             <source>shutdown</source>

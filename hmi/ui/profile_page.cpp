@@ -161,6 +161,7 @@ void ProfilePage::make_groups() {
                                                       {"tool", tr("Tool")},
                                                       {"blank", tr("Blank")},
                                                       {"roughing", tr("Roughing")},
+                                                      {"gcode", tr("G-code")},
                                                       {"job", tr("Job")},
                                                       {"port", tr("Port timing")},
                                                       {"port.pins", tr("Port pins")}};

@@ -20,6 +20,13 @@ enum class Planner : std::uint8_t { lookahead, angle };
 enum class Joining : std::uint8_t { continuous, zigzag, spiral };
 /// When a step pulse ends: at a later tick, or after a wait inside its own.
 enum class PulseForm : std::uint8_t { over_ticks, within_tick };
+/// Letters of a program for the axes r1, r2, y, psi.
+enum class AxisNames : std::uint8_t {
+    machine,  ///< X, Z, Y, C
+    turning,  ///< X, U, Z, C, as ISO 841 has them
+};
+/// What moves r2.
+enum class SecondHead : std::uint8_t { own, follow };
 enum class ToolShape : std::uint8_t { point, ball, flat, vee };
 std::string_view name_of(ToolShape shape) noexcept;  ///< as in a profile: "ball"
 std::optional<ToolShape> tool_shape_from_name(std::string_view name) noexcept;
@@ -141,6 +148,15 @@ struct RoughingProfile {
     friend bool operator==(const RoughingProfile&, const RoughingProfile&) = default;
 };
 
+/// How programs in G-code are meant.
+struct GcodeProfile {
+    AxisNames letters = AxisNames::machine;
+    SecondHead second_head = SecondHead::own;
+    bool turns_shortest = false;  ///< a G0 of C
+
+    friend bool operator==(const GcodeProfile&, const GcodeProfile&) = default;
+};
+
 struct PortProfile {
     std::int64_t dir_setup_ns = 5000;
     std::int64_t dir_hold_ns = 5000;
@@ -172,6 +188,7 @@ struct Profile {
     ToolProfile tool;
     BlankProfile blank;
     RoughingProfile roughing;
+    GcodeProfile gcode;
     PortProfile port;
 
     friend bool operator==(const Profile&, const Profile&) = default;

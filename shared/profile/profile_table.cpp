@@ -29,6 +29,11 @@ constexpr Word kToolShapeWords[]{{"point", number_of(ToolShape::point)},
                                  {"ball", number_of(ToolShape::ball)},
                                  {"flat", number_of(ToolShape::flat)},
                                  {"vee", number_of(ToolShape::vee)}};
+constexpr Word kAxisNamesWords[]{{"machine", number_of(AxisNames::machine)},
+                                 {"turning", number_of(AxisNames::turning)}};
+constexpr Word kSecondHeadWords[]{{"own", number_of(SecondHead::own)},
+                                  {"follow", number_of(SecondHead::follow)}};
+constexpr Word kRapidPsiWords[]{{"shortest", 1}, {"written", 0}};
 constexpr Word kPulseFormWords[]{{"over-ticks", number_of(PulseForm::over_ticks)},
                                  {"within-tick", number_of(PulseForm::within_tick)}};
 constexpr Word kOnHoldWords[]{{"lift", 1}, {"stay", 0}};
@@ -219,6 +224,17 @@ void add_roughing(std::vector<KeySpec>& keys) {
                     "The most between two of roughing's layers; 0: as the tool allows.");
 }
 
+void add_gcode(std::vector<KeySpec>& keys) {
+    using G = GcodeProfile;
+    TableSection<G> gcode(keys, "gcode", [](Profile& p) -> G& { return p.gcode; });
+    gcode.word(&G::letters, "letters", kAxisNamesWords, kNoMotion,
+               "Letters for R1, R2, Y and Psi: X, Z, Y and C, or, as lathes have them, X, U, Z and C.");
+    gcode.word(&G::second_head, "second_head", kSecondHeadWords, kNoMotion,
+               "R2 has a letter of its own, or goes where the letter of R1 says.");
+    gcode.word(&G::turns_shortest, "rapid_psi", kRapidPsiWords, kNoMotion,
+               "G0 of C turns as it is written, or the shortest way to the same direction.");
+}
+
 void add_port(std::vector<KeySpec>& keys) {
     using P = PortProfile;
     TableSection<P> port(keys, "port", [](Profile& p) -> P& { return p.port; });
@@ -278,6 +294,7 @@ std::vector<KeySpec> make_table() {
     add_head_and_job(keys);
     add_tool_and_blank(keys);
     add_roughing(keys);
+    add_gcode(keys);
     add_port(keys);
     add_pins(keys);
     return keys;

@@ -20,8 +20,9 @@ namespace psicarve::profile_detail {
 // documents the profile. No other file includes this.
 
 /// Where a key's value lives in a Profile.
-using Field = std::variant<double*, std::int64_t*, int*, bool*, std::string*, std::array<double, 2>*,
-                           Schedule*, HomeSensor*, Planner*, Joining*, PulseForm*, ToolShape*>;
+using Field =
+    std::variant<double*, std::int64_t*, int*, bool*, std::string*, std::array<double, 2>*, Schedule*,
+                 HomeSensor*, Planner*, Joining*, PulseForm*, ToolShape*, AxisNames*, SecondHead*>;
 
 /// A word that a file may say for a value that is no number.
 struct Word {

@@ -171,6 +171,7 @@ TEST(ProfileToml, EveryWordAndTextSurvivesPrinting) {
     profile.job.joining = Joining::spiral;
     profile.tool = {ToolShape::vee, 6.35, 45.0, 12.0};
     profile.blank = {30.0, 60.0, 1.5, -2.25, 12.0};
+    profile.gcode = {AxisNames::turning, SecondHead::follow, true};
     profile.port.pins[index_of(Signal::r1_step)] = -5;
     EXPECT_EQ(parsed(profile_to_toml(profile)), profile);
 }
@@ -281,7 +282,7 @@ TEST(ProfileKeys, EveryFieldIsReachedByExactlyOneKey) {
     std::sort(places.begin(), places.end());
     EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
     // 3 of its own, 5 tick, 3 x 13 linear, 10 psi, 2 head, 11 job, 4 tool, 5 blank, 6 port, 19 pins.
-    EXPECT_EQ(places.size(), 107U);
+    EXPECT_EQ(places.size(), 110U);
 }
 
 }  // namespace

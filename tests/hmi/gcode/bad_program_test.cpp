@@ -84,6 +84,18 @@ TEST(Problems, AreNotToldAgainOfWhatDependsOnThem) {
               (Faults{"1:12 bad_character", "4:4 arc_radius_differs"}));
 }
 
+TEST(Problems, AreNotToldOfAnEndThatStandsInAWrongBlock) {
+    for (const std::string end : {"M2", "m02", "M 3 0", "X1 M2 (last)"}) {
+        EXPECT_EQ(read_program("G0 X1\n" + end + " &\n")->problems.error_count(), 1U) << end;
+        EXPECT_EQ(read_program("G0 X1\nG0 G1 " + end + "\n???\n")->problems.error_count(), 1U) << end;
+        EXPECT_EQ(read_program("G0 X1\n& " + end + "\n")->problems.error_count(), 1U) << end;
+    }
+    for (const std::string other : {"M3", "M20", "M200", "M300", "N2", "G2"})
+        EXPECT_EQ(read_program("G0 X1\n& " + other + "\n")->problems.error_count(), 2U) << other;
+    // It may as well be none.
+    EXPECT_EQ(read_program("G0 X1 (then M2\n???\nM2\n")->problems.error_count(), 2U);
+}
+
 TEST(Problems, AreNotToldOfUnitsAndDistancesThatAWrongBlockTold) {
     const Profile profile;
     const auto faults = [&](const std::string& text) { return read_program(text, {}, &profile)->faults(); };

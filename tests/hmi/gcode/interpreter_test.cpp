@@ -121,6 +121,15 @@ TEST(Interpreter, TakesACentreAloneForAnotherArc) {
     EXPECT_EQ(read_program("F9 G1 X2\nI1\nM2\n")->faults(), Faults{"2:1 word_unused"});
 }
 
+TEST(Interpreter, KnowsTheRangesOfWordsThatSwitch) {
+    EXPECT_EQ(read_program("M66 P1 L5\nM66 P1 L-1\nM66 P1 L.5\nM66 P1 L3 Q-1\nM66 P1 L4 Q1\nM2\n")->faults(),
+              (Faults{"1:8 out_of_range", "2:8 out_of_range", "3:8 not_whole", "4:11 out_of_range"}));
+    EXPECT_EQ(read_program("G64 P-.1\nG64 P1 Q-1\nG64 P0\nM2\n")->faults(),
+              (Faults{"1:5 out_of_range", "2:8 out_of_range"}));
+    EXPECT_EQ(read_program("M50 P2\nM51 P-1\nM52 P.5\nM53 P1\nM50\nM2\n")->faults(),
+              (Faults{"1:5 out_of_range", "2:5 out_of_range", "3:5 out_of_range"}));
+}
+
 TEST(Canon, WritesEveryKindAsOneObject) {
     const auto read = read_program(
         "F60 S9\nG64 P.1\nG2 X2 Y0 I1\nG4 P.5\nM3\nM8\nM9\nT2 M6\nM50 P0\nM62 P1\nM65 P2\nM66 "

@@ -27,6 +27,11 @@ TEST(MachineCheck, DoesNotJudgeAnAxisBeforeTheProgramPlacesIt) {
     EXPECT_EQ(faults_of("G91 G0 X-500\nG90 G0 X20\nG91 X-500\nM2\n"), Faults{"3:5 outside_travel"});
 }
 
+TEST(MachineCheck, JudgesTheFirstPlaceOfAnAxisWhateverItIs) {
+    EXPECT_EQ(faults_of("G0 X0\nM2\n"), Faults{"1:4 core_radius"});
+    EXPECT_EQ(faults_of("G0 X20\nG0 Z0\nZ0\nM2\n"), Faults{"2:4 core_radius"});
+}
+
 TEST(MachineCheck, FindsHowFarAnArcReaches) {
     // From the left to the right of a circle of 10 mm about (51, 40), over its top and below it.
     const std::string begin = "F100\nG0 X41 Y40\n";
@@ -62,6 +67,18 @@ TEST(MachineCheck, WarnsOfWhatTheMachineCannotSwitchAndTheProgramIsRight) {
     const auto read = read_program("S100 M3\nM8\nM9\nM2\n", {}, &profile);
     EXPECT_EQ(read->problems.error_count(), 0U);
     EXPECT_EQ(read->faults(), (Faults{"1:1 speed_unused", "2:1 coolant_unused"}));
+}
+
+TEST(MachineCheck, LetsTheOperatorKeepTheOverrides) {
+    EXPECT_EQ(faults_of("M48\nM50\nM50 P1\nM51\nM51 P0\nM52 P0\nM53 P0\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("M49\nM50 P0\nM52\nM53 P1\nM2\n"),
+              (Faults{"1:1 override_kept", "2:1 override_kept", "3:1 output_missing", "4:1 output_missing"}));
+}
+
+TEST(MachineCheck, KnowsTheTolerancesThatAPathCanHave) {
+    EXPECT_EQ(faults_of("G64\nG64 P0\nG64 P10\nG64 P.000001\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G64 P10.1\nG64 P.0000009\nG20\nG64 P1\nM2\n"),
+              (Faults{"1:1 out_of_range", "2:1 out_of_range", "4:1 out_of_range"}));
 }
 
 TEST(MachineCheck, SendsTheHeadsHomeByG28) {

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/record_maker.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "hmi/gcode/arc_chords.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+/// An arc's chords may be off by this share of its tolerance, and their corners be passed within the rest: a
+/// circle that touches the chords passes their corners within the first share, so that the rest leaves room.
+constexpr double kChordShare = 0.25;
+constexpr double kSecondsPerMinute = 60.0;
+
+double furthest_out_mm(const Profile& profile, Axis head) {
+    const AxisMotion motion = axis_motion(profile, head);
+    return mm_from_pulses(motion.travel_max_pulses, motion.pulses_per_unit);
+}
+
+AxisMask changed_letters(const CanonRecord& record) noexcept {
+    AxisMask changed = static_cast<AxisMask>(record.placed & ~record.start_placed);
+    for (std::size_t letter = 0; letter < kLetterCount; ++letter)
+        if (record.start[letter] != record.end[letter]) changed |= mask_of(letter);
+    return changed;
+}
+
+bool is_motion(const CanonRecord& record) noexcept {
+    return record.kind == CanonKind::rapid || record.kind == CanonKind::feed || record.kind == CanonKind::arc;
+}
+
+}  // namespace
+
+RecordMaker::RecordMaker(const Profile& profile, const RunOptions& options, RecordSink& sink) noexcept
+    : options_(options),
+      outlet_(options.program, sink),
+      letters_(profile.gcode),
+      turns_shortest_(profile.gcode.turns_shortest),
+      out_mm_{furthest_out_mm(profile, Axis::r1), furthest_out_mm(profile, Axis::r2)},
+      own_tolerance_mm_(profile.job.path_tolerance_mm),
+      tolerance_mm_(profile.job.path_tolerance_mm) {}
+
+void RecordMaker::take(const CanonRecord& record) {
+    if (outlet_.has_failed()) return;
+    if (!has_begun_ && record.line >= options_.from_line) begin(record);
+    if (turns_shortest_ && record.kind == CanonKind::rapid) shorten_turn(record);
+    if (has_begun_) carry_out(record);
+    note(record);
+}
+
+Result<void> RecordMaker::finish() {
+    if (!has_begun_ && options_.from_line > 1)
+        outlet_.fail(bad_input("the program ends before line " + std::to_string(options_.from_line) +
+                               "; begin at an earlier line"));
+    if (!has_ended_) put(MotionKind::end, line_, 0, 0.0);
+    outlet_.flush();
+    if (outlet_.failure()) return *outlet_.failure();
+    return {};
+}
+
+void RecordMaker::begin(const CanonRecord& record) {
+    has_begun_ = true;
+    const bool is_within = has_moved_ || is_spindle_on_;
+    const std::uint64_t line = is_within ? options_.from_line : record.line;
+    if (is_within) approach(line);
+    if (options_.is_dry && !has_moved_) put_heads_out(line);
+    outlet_.end_block();
+}
+
+/// From here on psi is counted so that it has at most half a turn to go.
+void RecordMaker::shorten_turn(const CanonRecord& record) noexcept {
+    if ((record.start_placed & record.placed & letters_.mask_of_axis(Axis::psi)) == 0) return;
+    const double turned_deg = turn_deg(record);
+    psi_shift_deg_ -= turned_deg - std::remainder(turned_deg, kDegPerRev);
+}
+
+double RecordMaker::turn_deg(const CanonRecord& record) const noexcept {
+    const std::size_t letter = letters_.letter_of(Axis::psi);
+    return record.end[letter] - record.start[letter];
+}
+
+/// Whether whole turns are all that the rapid way asks of psi, and it need not do them.
+bool RecordMaker::stays_turned(const CanonRecord& record) const noexcept {
+    return turns_shortest_ && (record.start_placed & letters_.mask_of_axis(Axis::psi)) != 0 &&
+           std::remainder(turn_deg(record), kDegPerRev) == 0.0;
+}
+
+/// To where the program stands by now, from anywhere.
+void RecordMaker::approach(std::uint64_t line) {
+    if (is_spindle_on_ && !options_.is_dry) put(MotionKind::spindle, line, 1, 0.0);
+    if (!has_moved_) return;
+    put_heads_out(line);
+    for (const AxisMask letters :
+         {letters_.mask_of_axis(Axis::psi), letters_.mask_of_axis(Axis::y), letters_.of_heads()})
+        put_way(line, place_, static_cast<AxisMask>(letters & placed_ & moving_letters()), 0.0, 0.0, true);
+}
+
+void RecordMaker::note(const CanonRecord& record) noexcept {
+    line_ = record.line;
+    if (record.kind == CanonKind::path) {
+        is_exact_ = record.code != 640;
+        tolerance_mm_ = record.value > 0.0 ? record.value : own_tolerance_mm_;
+    }
+    if (record.kind == CanonKind::spindle) is_spindle_on_ = record.code != 5;
+    if (record.kind == CanonKind::end) has_ended_ = true;
+    if (!is_motion(record)) return;
+    place_ = record.end;
+    placed_ = record.placed;
+    has_moved_ = true;
+}
+
+void RecordMaker::carry_out(const CanonRecord& record) {
+    switch (record.kind) {
+        case CanonKind::rapid:
+        case CanonKind::feed:
+        case CanonKind::arc:
+            if (can_move(record)) move(record);
+            return;
+        case CanonKind::dwell:
+            return put(MotionKind::dwell, record.line, 0, record.value);
+        case CanonKind::spindle:
+            if (record.code == 4) return refuse(record, "the machine's spindle does not turn back");
+            if (!options_.is_dry) put(MotionKind::spindle, record.line, record.code == 3 ? 1 : 0, 0.0);
+            return;
+        case CanonKind::tool_change:
+            return put(MotionKind::stop, record.line, static_cast<std::uint8_t>(StopReason::tool_change),
+                       0.0);
+        case CanonKind::stop:
+            if (record.code == 1 && !options_.stops_at_optional) return;
+            return put(
+                MotionKind::stop, record.line,
+                static_cast<std::uint8_t>(record.code == 1 ? StopReason::optional : StopReason::program),
+                0.0);
+        case CanonKind::end:
+            return put(MotionKind::end, record.line, 0, 0.0);
+        case CanonKind::output:
+        case CanonKind::input:
+            return refuse(record, "the machine has no such output or input");
+        case CanonKind::path:
+        case CanonKind::speed:
+        case CanonKind::coolant:
+        case CanonKind::tool_select:
+        case CanonKind::override_set:
+            return;  // a mode, or MachineCheck has warned that it does nothing here
+    }
+}
+
+/// Whether a way can say it.
+bool RecordMaker::can_move(const CanonRecord& record) {
+    const AxisMask changed = changed_letters(record);
+    AxisMask wanted = changed;
+    if (record.kind == CanonKind::arc)
+        for (const std::size_t letter : {record.plane->first, record.plane->second})
+            wanted |= mask_of(letter);
+    // A rapid way may come from anywhere; one with a feed has a length.
+    const AxisMask unsaid = static_cast<AxisMask>(
+        wanted & ~(record.kind == CanonKind::rapid ? record.placed : record.start_placed));
+    for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
+        const std::string name{kAxisLetters[letter]};
+        if ((changed & ~letters_.all() & mask_of(letter)) != 0 &&
+            record.start[letter] != record.end[letter]) {
+            refuse(record, "the machine has no axis " + name);
+            return false;
+        }
+        if ((unsaid & letters_.all() & mask_of(letter)) == 0) continue;
+        refuse(record, "it is not known where " + name + " begins");
+        return false;
+    }
+    if (record.kind != CanonKind::arc || letters_.has_arcs_in(*record.plane)) return true;
+    refuse(record, "an arc in " + std::string{record.plane->name} + " does not move Y and one head");
+    return false;
+}
+
+AxisMask RecordMaker::moving_letters() const noexcept {
+    const AxisMask all = letters_.all();
+    return options_.is_dry ? static_cast<AxisMask>(all & ~letters_.of_heads()) : all;
+}
+
+void RecordMaker::move(const CanonRecord& record) {
+    const double seconds =
+        record.feed_per_min > 0.0 ? record.length / record.feed_per_min * kSecondsPerMinute : 0.0;
+    // An arc that ends where it begins is a whole circle.
+    if (record.kind == CanonKind::arc) return move_on_chords(record, seconds);
+    AxisMask changed = changed_letters(record);
+    if (record.kind == CanonKind::rapid && stays_turned(record))
+        changed = static_cast<AxisMask>(changed & ~letters_.mask_of_axis(Axis::psi));
+    if ((changed & moving_letters()) == 0) return;
+    put_way(record.line, record.end, static_cast<AxisMask>(record.placed & moving_letters()), seconds,
+            end_tolerance_mm(), record.kind == CanonKind::rapid);
+}
+
+void RecordMaker::move_on_chords(const CanonRecord& record, double seconds) {
+    const double chord_mm = kChordShare * tolerance_mm_;
+    const double corner_mm = tolerance_mm_ - chord_mm;
+    const ArcChords chords{record, chord_mm};
+    const AxisMask letters = static_cast<AxisMask>(record.placed & moving_letters());
+    const double each_s = seconds / static_cast<double>(chords.count());
+    outlet_.narrow(corner_mm);
+    for (std::uint64_t chord = 1; chord <= chords.count() && wants_more(); ++chord) {
+        const double tolerance_mm = chord == chords.count() && is_exact_ ? 0.0 : corner_mm;
+        put_way(record.line, chords.end_of(chord), letters, each_s, tolerance_mm, false);
+    }
+}
+
+void RecordMaker::put_way(std::uint64_t line, const Position& end, AxisMask letters, double seconds,
+                          double tolerance_mm, bool is_rapid) {
+    MotionRecord way{};
+    way.kind = MotionKind::way;
+    way.line = line;
+    way.flags = is_rapid ? kIsRapid : 0;
+    way.seconds = seconds;
+    way.tolerance_mm = tolerance_mm;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t letter = letters_.letter_of(axis);
+        if ((letters & mask_of(letter)) == 0) continue;
+        way.axes = static_cast<std::uint8_t>(way.axes | 1U << index_of(axis));
+        way.target[index_of(axis)] = axis == Axis::psi ? end[letter] + psi_shift_deg_ : end[letter];
+    }
+    if (way.axes != 0) outlet_.put(way);
+}
+
+void RecordMaker::put_heads_out(std::uint64_t line) {
+    MotionRecord way{};
+    way.kind = MotionKind::way;
+    way.line = line;
+    way.flags = kIsRapid;
+    for (std::size_t head = 0; head < kHeads; ++head) {
+        way.axes = static_cast<std::uint8_t>(way.axes | 1U << head);
+        way.target[head] = out_mm_[head];
+    }
+    outlet_.put(way);
+}
+
+void RecordMaker::put(MotionKind kind, std::uint64_t line, std::uint8_t code, double seconds) {
+    MotionRecord record{};
+    record.kind = kind;
+    record.line = line;
+    record.code = code;
+    record.seconds = seconds;
+    outlet_.put(record);
+}
+
+void RecordMaker::refuse(const CanonRecord& record, const std::string& what) {
+    outlet_.fail(bad_input("line " + std::to_string(record.line) + ": " + what));
+}
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "shared/base/result.hpp"
+#include "shared/program/motion_record.hpp"
+
+namespace psicarve::gcode {
+
+/// Takes records in the order of their execution.
+class RecordSink {
+public:
+    virtual ~RecordSink() = default;
+    virtual Result<void> take(const MotionRecord& record) = 0;
+};
+
+/// Gives records out one later than it gets them, as what follows decides how a way ends: at rest before
+/// everything that is none, and with its block where the next one has another line. Numbers them.
+class RecordOutlet {
+public:
+    /// The sink outlives the outlet.
+    RecordOutlet(std::uint64_t program, RecordSink& sink) noexcept : sink_(sink), program_(program) {}
+
+    /// Program, sequence, check, and whether it ends its block, are filled in here.
+    void put(const MotionRecord& record);
+    /// The last record's end, if it is a way, is passed as near as this.
+    void narrow(double tolerance_mm) noexcept;
+    /// The last record ends its block, whatever follows.
+    void end_block() noexcept;
+    /// Nothing follows.
+    void flush();
+
+    bool has_failed() const noexcept { return failure_.has_value(); }
+    /// The first failure of the sink; none is taken after it.
+    const std::optional<Error>& failure() const noexcept { return failure_; }
+    void fail(Error error);
+
+private:
+    void give();
+
+    RecordSink& sink_;
+    std::uint64_t program_;
+    std::uint64_t sequence_ = 0;
+    std::optional<MotionRecord> held_;
+    std::optional<Error> failure_;
+};
+
+}  // namespace psicarve::gcode

@@ -19,11 +19,11 @@ struct BendingForms {
     /// Keeps its memory from one to the next.
     void set(const NodesView& nodes);
 
-    std::vector<Row> bend;                       ///< sqrt(H_j) * q''_j
-    std::vector<Row> value;                      ///< q(u_j)
-    std::vector<Four> weight;                    ///< of that cell's bending squared
-    std::vector<std::array<Four, 3>> stiffness;  ///< bend' * weight * bend, three diagonals
-    double length = 0.0;                         ///< of all cells but the first and the last [s of u]
+    std::vector<Row> bend;                      ///< sqrt(H_j) * q''_j
+    std::vector<Row> value;                     ///< q(u_j)
+    WideVector<Four> weight;                    ///< of that cell's bending squared
+    WideVector<std::array<Four, 3>> stiffness;  ///< bend' * weight * bend, three diagonals
+    double length = 0.0;                        ///< of all cells but the first and the last [s of u]
 };
 
 }  // namespace psicarve::plan

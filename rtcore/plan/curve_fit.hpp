@@ -80,11 +80,11 @@ private:
     std::size_t begin_ = 1;  ///< of the control points that are not decided
     std::size_t end_ = 0;
     BendingForms forms_;
-    std::vector<Four> points_;  ///< control points
-    std::vector<Four> change_;
-    std::vector<Four> side_;
-    std::vector<State> states_;
-    std::vector<BandRow> band_;
+    WideVector<Four> points_;  ///< control points
+    WideVector<Four> change_;
+    WideVector<Four> side_;
+    WideVector<State> states_;
+    WideVector<BandRow> band_;
     std::vector<Lanes> control_;
     Vec distance_step_{};  ///< shares of the changes that are gone
     Vec press_step_{};

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
+#include <vector>
 
 #include "rtcore/plan/path.hpp"
 
@@ -28,6 +31,27 @@ using Mask = std::int64_t __attribute__((vector_size(kAxisCount * sizeof(std::in
 struct Four {
     Vec axes;
 };
+
+/// Where a Vec never lies across two of the processor's cache lines, which would be two accesses each.
+template <typename T>
+struct WideAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t kCacheLineBytes{64};
+
+    WideAllocator() = default;
+    template <typename Other>
+    explicit WideAllocator(const WideAllocator<Other>& /*other*/) noexcept {}
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(::operator new(count * sizeof(T), kCacheLineBytes));
+    }
+    void deallocate(T* memory, std::size_t /*count*/) noexcept { ::operator delete(memory, kCacheLineBytes); }
+    friend bool operator==(const WideAllocator& /*one*/, const WideAllocator& /*other*/) noexcept {
+        return true;
+    }
+};
+/// Of what consists of whole Vecs.
+template <typename T>
+using WideVector = std::vector<T, WideAllocator<T>>;
 
 PSICARVE_INLINE void load(const Lanes& lanes, Vec& vec) {
     std::memcpy(&vec, lanes.data(), sizeof vec);

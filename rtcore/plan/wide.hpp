@@ -9,11 +9,15 @@
 
 #include "rtcore/plan/path.hpp"
 
-// Four axes fit one AVX register. The same operations in the same order, so the same bits, with or without;
-// sanitizers start too late for the linker's choice between the two.
+// Four axes fit one AVX register; the newest processors have twice as many of those. The same operations in
+// the same order, so the same bits, with or without; sanitizers start too late for the linker's choice.
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
+#if __GNUC__ >= 12
+#define PSICARVE_FOR_WIDE_REGISTERS __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
+#else
 #define PSICARVE_FOR_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
+#endif
 #else
 #define PSICARVE_FOR_WIDE_REGISTERS
 #endif

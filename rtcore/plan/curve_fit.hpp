@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "rtcore/plan/band_elimination.hpp"
+#include "rtcore/plan/bending_forms.hpp"
 #include "rtcore/plan/curve_nodes.hpp"
 #include "rtcore/plan/wide.hpp"
 
@@ -41,10 +42,9 @@ public:
     bool has_converged() const noexcept { return has_converged_; }
 
 private:
-    /// A linear form of the control points before, at and after a node; the same for all axes.
-    struct Row {
-        double before, at, after;
-    };
+    // Accelerations below this share of what the motors can do do not matter.
+    static constexpr double kAccelTolerance = 0.01;
+
     /// One bound at one node: the distance to it, how hard it presses, and what an iteration changes.
     struct Bound {
         Vec distance, press, inverse_distance, press_change;
@@ -57,10 +57,6 @@ private:
         Vec rise;      ///< what an iteration adds to lower.distance and takes from upper.distance
         Bound lower, upper;
     };
-    struct Band {
-        Vec at, next, second;  ///< a row of the matrix from its diagonal on; later of its factors
-    };
-    class Elimination;
     /// For all axes: how far an iteration can go, and the sum of distance * press along it.
     struct Reach {
         Vec distance_shrink;  ///< the greatest relative shrinking of a distance
@@ -68,7 +64,6 @@ private:
         Vec by_distance, by_press, by_both;
     };
 
-    void prepare(const NodesView& nodes);
     void start(const NodesView& nodes, const DecidedEnds& decided);
     void start_pressing();
     void advance_and_eliminate();
@@ -84,16 +79,12 @@ private:
     std::size_t count_ = 0;
     std::size_t begin_ = 1;  ///< of the control points that are not decided
     std::size_t end_ = 0;
-    double length_ = 0.0;
-    std::vector<Row> bend_;                       ///< sqrt(H_j) * q''_j
-    std::vector<Row> value_;                      ///< q(u_j)
-    std::vector<Four> weight_;                    ///< of that, squared
-    std::vector<std::array<Four, 3>> stiffness_;  ///< bend' * weight * bend, three diagonals
-    std::vector<Four> points_;                    ///< control points
-    std::vector<Four> change_;
-    std::vector<Four> side_;
-    std::vector<State> states_;
-    std::vector<Band> band_;
+    BendingForms forms_;
+    WideVector<Four> points_;  ///< control points
+    WideVector<Four> change_;
+    WideVector<Four> side_;
+    WideVector<State> states_;
+    WideVector<BandRow> band_;
     std::vector<Lanes> control_;
     Vec distance_step_{};  ///< shares of the changes that are gone
     Vec press_step_{};

@@ -103,7 +103,7 @@ private:
     std::uint32_t last_point_;
     bool heads_are_coarse_;
     Vec bits_begin_;
-    std::vector<Bit> bits_;  ///< since the last point
+    WideVector<Bit> bits_;  ///< since the last point
     std::array<Together, kMostBitsInALine> together_{};
     std::size_t worst_ = 0;  ///< the bit that was off a line when last one was tried
     const PathCell* cell_ = nullptr;

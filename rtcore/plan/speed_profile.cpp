@@ -263,7 +263,7 @@ void SpeedProfile::set_path(std::span<const PathCell> cells) {
 /// One timing's way back through the cells and forth again. The results have cells + 1 values.
 class SpeedProfile::Passes {
 public:
-    Passes(const std::vector<AccelRows>& rows, const SpeedLimits& limits, std::vector<double>& reachable2,
+    Passes(std::span<const AccelRows> rows, const SpeedLimits& limits, std::vector<double>& reachable2,
            std::vector<double>& speed2)
         : rows_(rows), limits_(limits) {
         reachable2.resize(rows.size() + 1);

@@ -64,7 +64,7 @@ private:
     class Passes;
 
     Lanes inverse_accel_;
-    std::vector<AccelRows> rows_;
+    WideVector<AccelRows> rows_;
     std::array<std::vector<double>, 2> reachable2_;
 };
 

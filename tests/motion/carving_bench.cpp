@@ -105,12 +105,13 @@ JobTable table_of(const Profile& profile, const Shape& shape, std::uint32_t laye
     return joining == Joining::spiral ? spiral_of(table) : table;
 }
 
-Carved carved(const Profile& profile, const JobTable& table, const Disturbance& disturb) {
+Carved carved(const Profile& profile, const JobTable& table, const Disturbance& disturb,
+              const Conditions& conditions) {
     Carved result;
     const std::vector<std::byte> blob = job_blob_from_table(table);
     const JobView view = JobView::check(blob).value();
     const auto ring = std::make_unique<trace::TraceRing>();
-    MachineRig rig(profile);
+    MachineRig rig(profile, conditions.machine);
     rig.io->trace = ring.get();
     Witness witness(view, profile, *ring);
     const auto drain_while = [&](const std::function<bool()>& condition) {
@@ -122,7 +123,7 @@ Carved carved(const Profile& profile, const JobTable& table, const Disturbance& 
     EXPECT_EQ(rig.ask(RequestKind::home), cycle::Refusal::none);
     drain_while([&] { return rig.cycle->state() == MachineState::homing; });
     rig.load(table);
-    EXPECT_EQ(rig.ask(RequestKind::start), cycle::Refusal::none);
+    EXPECT_EQ(rig.ask(RequestKind::start, 0, cycle::packed(conditions.layers)), cycle::Refusal::none);
     drain_while([&] { return rig.cycle->state() == MachineState::positioning; });
     rig.port->writes.clear();
     EXPECT_EQ(rig.ask(RequestKind::start_interpolation), cycle::Refusal::none);
@@ -141,6 +142,8 @@ Carved carved(const Profile& profile, const JobTable& table, const Disturbance& 
     result.carve_s = static_cast<double>(sample.carve_last_tick - sample.carve_first_tick) *
                      static_cast<double>(tick_period_ns(profile)) * 1e-9;
     result.t_ref_s = rig.planner->reference_seconds();
+    const sim::SimReport machine = rig.machine->report();
+    for (const Axis axis : kAllAxes) result.stalls += machine.axis(axis).stalls;
     result.report = witness.finish();
     return result;
 }

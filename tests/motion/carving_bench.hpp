@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "hmi/verify/verifier.hpp"
+#include "rtcore/cycle/layer_range.hpp"
+#include "rtcore/sim/sim_config.hpp"
 #include "rtcore/trace/trace_entry.hpp"
 #include "shared/job/job.hpp"
 #include "shared/profile/profile.hpp"
@@ -36,12 +38,20 @@ struct Carved {
     double t_ref_s = -1.0;  ///< the planner's own; -1: it has none
     std::uint64_t waited_ticks = 0;
     std::uint64_t iterations = 0;
+    std::uint64_t stalls = 0;  ///< of the simulated motors
 };
 
 /// Called once a tick while the job is carved.
 using Disturbance = std::function<void(cycle::MachineRig&)>;
 
+/// What is not as usual.
+struct Conditions {
+    std::function<void(sim::SimConfig&)> machine;
+    cycle::LayerRange layers;
+};
+
 /// Homes, carves the table on a simulated machine and has the pins judged by all four rules.
-Carved carved(const Profile& profile, const JobTable& table, const Disturbance& disturb = {});
+Carved carved(const Profile& profile, const JobTable& table, const Disturbance& disturb = {},
+              const Conditions& conditions = {});
 
 }  // namespace psicarve::motion

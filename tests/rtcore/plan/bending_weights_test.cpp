@@ -3,20 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <ostream>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "rtcore/plan/curve_fit.hpp"
 #include "rtcore/plan/lookahead_program.hpp"
-#include "rtcore/plan/path_stretch.hpp"
 #include "rtcore/plan/speed_up.hpp"
 #include "shared/job/job.hpp"
 #include "shared/profile/profile.hpp"
@@ -88,90 +82,6 @@ TEST(EvenBending, CountsWhereItIsWithinItsTubeAndFasterAtEveryOverride) {
 TEST(EvenBending, ReplacesACurveThatLeftItsTube) {
     EXPECT_TRUE(is_worthwhile({true, {1.1, 1.1}}, {false, {1.0, 0.8}}));
     EXPECT_FALSE(is_worthwhile({false, {0.9, 0.7}}, {false, {1.0, 0.8}}));
-}
-
-MachineLimits machine_of(const std::string& example_name) {
-    return machine_limits(load_profile(example(example_name)).value());
-}
-
-/// Boundaries of a few points each, one way and the other, and noise of some pulses.
-std::vector<PathPoint> jagged_points(std::uint64_t seed, std::int64_t psi_step) {
-    std::mt19937_64 random{seed};
-    std::vector<PathPoint> points;
-    std::array<std::int64_t, 2> radius{40'000, 44'000};
-    std::array<std::int64_t, 2> slope{};
-    for (std::uint32_t i = 0; i < 90; ++i) {
-        for (std::size_t head = 0; head < 2; ++head) {
-            if (random() % 6 == 0) slope[head] = static_cast<std::int64_t>(random() % 161) - 80;
-            radius[head] += slope[head] + static_cast<std::int64_t>(random() % 5) - 2;
-        }
-        points.push_back({{radius[0], radius[1], psi_step * i, 8'000}, 0, i, false});
-    }
-    return points;
-}
-
-/// The fastest timing of the curve of least bending, tube and limits being those of the planner.
-double least_bending_seconds(const MachineLimits& limits, const std::vector<PathPoint>& points) {
-    const std::vector<PathSpan> spans = path_spans(limits, points);
-    const CurveNodes nodes =
-        curve_nodes(limits, points, spans, path_corners(limits, spans), 0, points.size() - 1);
-    Lanes accel;
-    for (std::size_t k = 0; k < kAxisCount; ++k) accel[k] = 0.985 * limits.axes[k].accel_pps2;
-    CurveFit fit{accel};
-    fit.solve(NodesView::of(nodes));
-    std::vector<PathCell> cells;
-    std::vector<Lanes> cell_at;
-    cells_of(nodes, fit.control(), cells, cell_at);
-    const auto greatest2 = [&](std::size_t cell, double share) {
-        double inverse = 1e-9;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            const double slope =
-                cells[cell].slope_begin[k] + share * cells[cell].length * cells[cell].bend[k];
-            inverse = std::max(inverse, std::abs(slope) / (0.998 * limits.axes[k].speed_pps));
-        }
-        return 1.0 / (inverse * inverse);
-    };
-    std::vector<double> bound2;
-    std::vector<InnerSpeeds2> inner2;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        bound2.push_back(greatest2(i, 0.0));
-        inner2.push_back({greatest2(i, 0.25), greatest2(i, 0.5), greatest2(i, 0.75)});
-    }
-    bound2.push_back(greatest2(cells.size() - 1, 1.0));
-    bound2.front() = std::min(stop_speed2(limits, spans.front().slope, nullptr),
-                              stop_speed2(limits, cells.front().slope_begin, nullptr));
-    bound2.back() = std::min(stop_speed2(limits, spans.back().slope, nullptr),
-                             stop_speed2(limits, cells.back().slope_end, nullptr));
-    SpeedProfile timing{accel};
-    timing.set_path(cells);
-    std::vector<double> speed2;
-    timing.solve({bound2, inner2}, speed2);
-    double seconds = 0.0;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        seconds += cell_seconds(cells[i].length, speed2[i], speed2[i + 1]);
-    return seconds;
-}
-
-TEST(EvenBending, IsFasterThanLeastBendingAndNeverSlower) {
-    MachineLimits limits = machine_of("fine.toml");
-    limits.feed_mm_s = 1e6;
-    double even_s = 0.0;
-    double least_s = 0.0;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        const std::vector<PathPoint> points =
-            jagged_points(seed, 40 + 8 * static_cast<std::int64_t>(seed % 8));
-        const std::vector<PathSpan> spans = path_spans(limits, points);
-        const std::vector<PathCorner> corners = path_corners(limits, spans);
-        StretchPlanner planner(limits);
-        std::vector<PathPiece> pieces;
-        const double seconds = planner.plan(points, spans, corners, 0, points.size() - 1, pieces);
-        const double of_least_bending_s = least_bending_seconds(limits, points);
-        // Where the tube had to be narrowed both curves are slower than the one that it was not narrowed for.
-        EXPECT_LE(seconds, 1.005 * of_least_bending_s) << seed;
-        even_s += seconds;
-        least_s += of_least_bending_s;
-    }
-    EXPECT_LT(even_s, 0.99 * least_s);
 }
 
 /// A layer, and the least time over all curves and timings that docs/motion_yardstick.md has for it.

@@ -41,6 +41,7 @@ std::vector<PathPoint> points_of(const std::vector<std::array<std::int64_t, 2>>&
 struct Way {
     double off_mm = 0.0;
     std::int64_t turn_pulses = 0;
+    std::int64_t head_turn_pulses = 0;  ///< of R1 against the span's way
     std::vector<Pulses4> points;
 };
 
@@ -63,6 +64,8 @@ Way way_of(const MachineLimits& limits, const std::vector<PathPoint>& points) {
         for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += piece.delta_pulses[k];
         const Pulses4& from = points[span].pulses;
         const Pulses4& to = points[span + 1].pulses;
+        const std::int64_t way_of_head = to[0] < from[0] ? -piece.delta_pulses[0] : piece.delta_pulses[0];
+        way.head_turn_pulses = std::max(way.head_turn_pulses, -way_of_head);
         const double psi_mm = spans[span].radius_mm[0] * 2.0 * std::numbers::pi / 128'000.0;
         const double x_mm = static_cast<double>(to[2] - from[2]) * psi_mm;
         const double y_mm = static_cast<double>(to[0] - from[0]) / 4000.0;
@@ -76,13 +79,31 @@ Way way_of(const MachineLimits& limits, const std::vector<PathPoint>& points) {
     return way;
 }
 
-TEST(CurveCheck, DownACliffTheTableNeverTurnsBackAndTheCutsStayInTheTube) {
-    const MachineLimits limits = fine_limits();
+std::vector<PathPoint> cliff_points() {
     std::vector<std::array<std::int64_t, 2>> ways;
     for (std::int64_t i = 0; i < 60; ++i) ways.push_back({128 * i, i < 30 ? 24'000 : 60'000 + 40 * i});
-    const auto points = points_of(ways);
+    return points_of(ways);
+}
+
+TEST(CurveCheck, DownACliffTheTableNeverTurnsBackAndTheCutsStayInTheTube) {
+    const MachineLimits limits = fine_limits();
+    const auto points = cliff_points();
     const Way way = way_of(limits, points);
     EXPECT_EQ(way.turn_pulses, 0);
+    EXPECT_LE(way.off_mm, limits.path_tolerance_mm + 0.5 * 0.00075);
+    ASSERT_EQ(way.points.size(), points.size() - 1);
+    for (std::size_t i = 1; i < points.size(); ++i) EXPECT_EQ(way.points[i - 1], points[i].pulses);
+}
+
+// The gap would have to be crossed for each turn.
+TEST(CurveCheck, DownACliffNoAxisThatHasBacklashTurnsBackBetweenTwoPoints) {
+    MachineLimits limits = fine_limits();
+    for (const std::size_t axis : {std::size_t{0}, index_of(Axis::psi)})
+        limits.tick.axes[axis].backlash_pulses = 200;
+    const auto points = cliff_points();
+    const Way way = way_of(limits, points);
+    EXPECT_EQ(way.turn_pulses, 0);
+    EXPECT_EQ(way.head_turn_pulses, 0);
     EXPECT_LE(way.off_mm, limits.path_tolerance_mm + 0.5 * 0.00075);
     ASSERT_EQ(way.points.size(), points.size() - 1);
     for (std::size_t i = 1; i < points.size(); ++i) EXPECT_EQ(way.points[i - 1], points[i].pulses);

@@ -288,6 +288,10 @@
             <translation>и ещё %1</translation>
         </message>
         <message>
+            <source>%1 more came too fast to be written down</source>
+            <translation>Ещё %1: шли слишком быстро и не записаны</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>чисел %1, а не %2</translation>
         </message>
@@ -380,6 +384,10 @@
             <translation>радиусов %1, а в предыдущих слоях их %2</translation>
         </message>
         <message>
+            <source>%1 records could not be written into the journal</source>
+            <translation>Не удалось записать в журнал записей: %1</translation>
+        </message>
+        <message>
             <source>%1 roughing, finishing</source>
             <translation>черновых: %1, чистовой</translation>
         </message>
@@ -406,6 +414,10 @@
         <message>
             <source>%1 ticks missed in the last second</source>
             <translation>за последнюю секунду пропущено тактов: %1</translation>
+        </message>
+        <message>
+            <source>%1 ticks missed, %2 since the core started</source>
+            <translation>Пропущено тактов: %1, с запуска ядра: %2</translation>
         </message>
         <message>
             <source>%1 to %2 bytes</source>
@@ -570,6 +582,10 @@
         <message>
             <source>%1–%2°, through 0° (%3 %)</source>
             <translation>%1–%2°, через 0° (%3 %)</translation>
+        </message>
+        <message>
+            <source>%3 (layer %1, point %2)</source>
+            <translation>%3 (слой %1, точка %2)</translation>
         </message>
         <message>
             <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
@@ -752,6 +768,14 @@
             <translation>По кругу</translation>
         </message>
         <message>
+            <source>All runs</source>
+            <translation>Все запуски</translation>
+        </message>
+        <message>
+            <source>All runs: also what the cores have written down before this window was opened, in grey</source>
+            <translation>Все запуски: и то, что ядра записали до открытия этого окна, серым</translation>
+        </message>
+        <message>
             <source>All that can be opened (%1)</source>
             <translation>Всё, что открывается (%1)</translation>
         </message>
@@ -786,6 +810,10 @@
         <message>
             <source>As the desktop</source>
             <translation>Как в системе</translation>
+        </message>
+        <message>
+            <source>Asked for by %1, process %2</source>
+            <translation>Запросил: %1, процесс %2</translation>
         </message>
         <message>
             <source>Asked for: %1</source>
@@ -1060,6 +1088,10 @@
             <translation>Резьба</translation>
         </message>
         <message>
+            <source>Carving began with layer %2: %1</source>
+            <translation>Резьба началась со слоя %2: %1</translation>
+        </message>
+        <message>
             <source>Carving time</source>
             <translation>Время резьбы</translation>
         </message>
@@ -1140,6 +1172,10 @@
             <translation>Команда: %1</translation>
         </message>
         <message>
+            <source>Command: %1 (%2)</source>
+            <translation>Команда: %1 (%2)</translation>
+        </message>
+        <message>
             <source>Commands</source>
             <translation>Команды</translation>
         </message>
@@ -1186,6 +1222,10 @@
         <message>
             <source>DRY RUN</source>
             <translation>ХОЛОСТОЙ</translation>
+        </message>
+        <message>
+            <source>Damaged or torn records of the machine's history are left out: %1</source>
+            <translation>Повреждённые записи истории станка опущены: %1</translation>
         </message>
         <message>
             <source>Dark</source>
@@ -1310,6 +1350,10 @@
         <message>
             <source>Dry run</source>
             <translation>Холостой прогон</translation>
+        </message>
+        <message>
+            <source>Dry run began with layer %2: %1</source>
+            <translation>Холостой прогон начался со слоя %2: %1</translation>
         </message>
         <message>
             <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
@@ -1873,6 +1917,10 @@ F12  этот список</translation>
             <translation>Насколько метка R2 выше, ниже — минус</translation>
         </message>
         <message>
+            <source>How the one before ended is not known</source>
+            <translation>Как завершилось предыдущее, не известно</translation>
+        </message>
+        <message>
             <source>How to go there</source>
             <translation>Способ перехода</translation>
         </message>
@@ -1957,6 +2005,10 @@ F12  этот список</translation>
             <translation>Больше не предлагается; файл остаётся</translation>
         </message>
         <message>
+            <source>It is the first one</source>
+            <translation>Оно первое</translation>
+        </message>
+        <message>
             <source>It was begun with another profile of the machine.</source>
             <translation>Она начата с другим профилем станка.</translation>
         </message>
@@ -1985,12 +2037,24 @@ F12  этот список</translation>
             <translation>Задание</translation>
         </message>
         <message>
+            <source>Job done: %1</source>
+            <translation>Задание выполнено: %1</translation>
+        </message>
+        <message>
+            <source>Job ended by an alarm in layer %2: %1</source>
+            <translation>Задание прервано аварией в слое %2: %1</translation>
+        </message>
+        <message>
             <source>Job in the machine</source>
             <translation>Задание в станке</translation>
         </message>
         <message>
             <source>Job in travel</source>
             <translation>Ход достаточен</translation>
+        </message>
+        <message>
+            <source>Job loaded: %1, %2 layers of %3 points</source>
+            <translation>Задание загружено: %1, слоёв: %2, точек в слое: %3</translation>
         </message>
         <message>
             <source>Job no. %1 accepted</source>
@@ -2003,6 +2067,14 @@ F12  этот список</translation>
         <message>
             <source>Job published</source>
             <translation>Передано</translation>
+        </message>
+        <message>
+            <source>Job refused</source>
+            <translation>Задание отклонено</translation>
+        </message>
+        <message>
+            <source>Job stopped in layer %2: %1</source>
+            <translation>Задание остановлено в слое %2: %1</translation>
         </message>
         <message>
             <source>Job, state and flight recorder of the machine, to be looked at later</source>
@@ -2631,6 +2703,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Of top speed</source>
             <translation>От предела</translation>
+        </message>
+        <message>
+            <source>Of which time messages are shown</source>
+            <translation>За какое время показаны сообщения</translation>
         </message>
         <message>
             <source>On a round blank let R1 make a mark: a touch of its tip. Take it out, turn Ψ by exactly 180°, leave Y alone, and let R2 make its own. On a machine without error it falls on R1's.</source>
@@ -3549,6 +3625,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>С %1.</translation>
         </message>
         <message>
+            <source>Since the start</source>
+            <translation>С открытия</translation>
+        </message>
+        <message>
             <source>Since then the core has ended: there is none to take orders.</source>
             <translation>После этого ядро завершилось: принимать команды некому.</translation>
         </message>
@@ -4021,6 +4101,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ядро завершилось посреди работы</translation>
         </message>
         <message>
+            <source>The core has started: version %1, port %2, process %3</source>
+            <translation>Ядро запущено: версия %1, порт %2, процесс %3</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>Это задание есть у ядра.</translation>
         </message>
@@ -4181,6 +4265,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>У станка прежнее задание: «Пуск» вырезает %1.</translation>
         </message>
         <message>
+            <source>The machine's history is not shown in full</source>
+            <translation>История станка показана не полностью</translation>
+        </message>
+        <message>
             <source>The machine's profile is not known here: pins are those of the built-in profile.</source>
             <translation>Профиль станка здесь неизвестен: выводы взяты из встроенного профиля.</translation>
         </message>
@@ -4227,6 +4315,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The old file is kept as a backup. Then start the core with the new one, and slice models anew: a job is made for one calibration.</source>
             <translation>Старый файл остаётся резервной копией. Затем запустите ядро с новым и нарежьте модели заново: задание делается для одной калибровки.</translation>
+        </message>
+        <message>
+            <source>The one before ended in order</source>
+            <translation>Предыдущее завершилось штатно</translation>
+        </message>
+        <message>
+            <source>The one before has no end, and the computer was started again since</source>
+            <translation>У предыдущего нет конца, компьютер с тех пор перезапускался</translation>
+        </message>
+        <message>
+            <source>The one before has no end: killed, crashed, or the computer was switched off</source>
+            <translation>У предыдущего нет конца: убито, упало или компьютер выключили</translation>
+        </message>
+        <message>
+            <source>The one before was killed or crashed</source>
+            <translation>Предыдущее убито или упало</translation>
         </message>
         <message>
             <source>The picture does not say what its fourth sample is: it is taken as transparency (alpha).</source>
@@ -4423,6 +4527,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ticks were missed (%1 since the core started); motors may have lost steps.</source>
             <translation>Такты пропущены (с запуска ядра: %1); двигатели могли потерять шаги.</translation>
+        </message>
+        <message>
+            <source>Ticks were missed; motors may have lost steps.</source>
+            <translation>Такты пропущены; двигатели могли потерять шаги.</translation>
         </message>
         <message>
             <source>Time</source>
@@ -4949,6 +5057,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a job runs (%1); stop it or wait for its end</source>
             <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
+        </message>
+        <message>
+            <source>a layer is a whole number</source>
+            <translation>номер слоя — целое число</translation>
         </message>
         <message>
             <source>a layer needs its height and at least two radii</source>
@@ -5783,6 +5895,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>соединение</translation>
         </message>
         <message>
+            <source>journal of the machine, run %1</source>
+            <translation>журнал станка, запуск %1</translation>
+        </message>
+        <message>
+            <source>journal of the simulator, run %1</source>
+            <translation>журнал симулятора, запуск %1</translation>
+        </message>
+        <message>
             <source>kernel</source>
             <translation>ядро ОС</translation>
         </message>
@@ -5853,10 +5973,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>layers</source>
             <translation>слои</translation>
-        </message>
-        <message>
-            <source>a layer is a whole number</source>
-            <translation>номер слоя — целое число</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>

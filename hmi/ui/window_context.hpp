@@ -13,6 +13,7 @@
 #include "hmi/session/alarm_bell.hpp"
 #include "hmi/session/file_presence.hpp"
 #include "hmi/session/file_saver.hpp"
+#include "hmi/session/journal_history.hpp"
 #include "hmi/session/log_file.hpp"
 #include "hmi/session/machine_session.hpp"
 #include "hmi/session/message_log.hpp"
@@ -36,6 +37,7 @@ struct WindowContext {
           machine(options, log),
           open_job(options.segment_name, options.group, log),
           keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")), saves),
+          history(options.segment_name, options.state_folder),
           replay(log),
           pins(options.segment_name, options.group, log, saves),
           judge(log),
@@ -64,6 +66,7 @@ struct WindowContext {
     session::OpenJob open_job;
     session::RunWatch runs;
     session::LogKeeper keeper;
+    session::JournalHistory history;
     replay::ReplaySession replay;
     session::PinRecorder pins;
     session::TraceJudge judge;
@@ -122,6 +125,7 @@ struct WindowContext {
     /// A look at the machine and at what is under way.
     void poll() {
         machine.poll();
+        history.poll(log);
         bell.poll(log);
         open_job.poll(machine.view());
         runs.note(machine.view(), session::RunWatch::Clock::now());

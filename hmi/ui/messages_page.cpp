@@ -226,6 +226,10 @@ void MessagesPage::refresh() {
     if (model_.refresh()) choose_again();
 }
 
+bool MessagesPage::is_quiet() const {
+    return queue_.is_idle() && !pane_->is_saving();
+}
+
 void MessagesPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     table_->setColumnWidth(MessageModel::kRemedy, table_->width() / 4);

@@ -28,6 +28,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// It saves nothing.
+    bool is_quiet() const;
     /// All messages of this window, as text.
     void save_log(const QString& path);
     /// Profile, log, snapshot and versions, in a new folder below this one.

@@ -520,6 +520,10 @@
             <translation>%1. Отказаться от них?</translation>
         </message>
         <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
             <source>%1: %2 to look at</source>
             <translation>%1: посмотреть %2</translation>
         </message>
@@ -4227,10 +4231,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The job or snapshot that this trace belongs to</source>
             <translation>Задание или снимок, к которому относится трасса</translation>
-        </message>
-        <message>
-            <source>The language changes when the window is opened the next time</source>
-            <translation>Язык сменится при следующем открытии окна</translation>
         </message>
         <message>
             <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>

@@ -520,6 +520,10 @@
             <translation>%1。要放弃吗？</translation>
         </message>
         <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
             <source>%1: %2 to look at</source>
             <translation>%1：有 %2 条需要查看</translation>
         </message>
@@ -4222,10 +4226,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The job or snapshot that this trace belongs to</source>
             <translation>此轨迹所属的作业或快照</translation>
-        </message>
-        <message>
-            <source>The language changes when the window is opened the next time</source>
-            <translation>下次打开窗口时更换语言</translation>
         </message>
         <message>
             <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>

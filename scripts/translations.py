@@ -33,6 +33,9 @@ EXPLANATION = re.compile(rf"\b\w+\.(?:number|word)\([^;]*?({STRINGS})\);")
 PIN_EXPLANATION = re.compile(rf"\bis_output\(\w+\)\s*\?\s*({STRINGS}):\s*({STRINGS});")
 CORE_NAMES = re.compile(r"\b(?:name|remedy)_of\((?:AlarmCause|MachineState|CommandKind|RealtimeStep).*?\n}", re.DOTALL)
 
+# What joins two sentences: Chinese has a colon of its own.
+WITHOUT_WORDS = {"%1: %2"}
+
 SIMPLE_ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
 
@@ -73,7 +76,7 @@ def source_texts():
                     for name in ("machine/machine_state_text.cpp", "machine/command.cpp", "computer/realtime_step.cpp"))
     for found in CORE_NAMES.finditer(names):
         texts.update(unquoted(literals) for literals in re.findall(STRINGS, found.group(0)))
-    return sorted(text for text in texts if re.search(r"[A-Za-z]{2}", text))
+    return sorted(text for text in texts if re.search(r"[A-Za-z]{2}", text) or text in WITHOUT_WORDS)
 
 
 def read_catalogue(path):

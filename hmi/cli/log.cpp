@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,14 +12,16 @@
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/cli/log_sources.hpp"
 #include "hmi/cli/log_text.hpp"
 #include "hmi/cli/log_time.hpp"
 #include "hmi/cli/operator_break.hpp"
+#include "hmi/history/log_sources.hpp"
 #include "shared/record/journal.hpp"
 
 namespace psicarve::cli {
 namespace {
+
+using history::LogSources;
 
 constexpr CommandText kLogText{
     "log", "What happened to the machine, over the restarts of its cores",
@@ -96,6 +99,13 @@ public:
 private:
     std::uint64_t damaged_told_ = 0;
 };
+
+/// Ctrl-C ends it early.
+void sleep_unless_asked(std::chrono::milliseconds limit) {
+    const timespec time{0, static_cast<long>(limit.count()) * 1'000'000};
+    // A signal's handler is called in this thread, and ends the sleep.
+    static_cast<void>(nanosleep(&time, nullptr));
+}
 
 Result<int> follow(LogSources& sources, const LogFilter& filter, LogWarnings& warnings, bool as_json,
                    const OperatorBreak& operator_break) {

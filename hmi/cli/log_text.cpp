@@ -12,6 +12,7 @@
 #include "hmi/report/status_json.hpp"
 #include "hmi/report/utc_text.hpp"
 #include "shared/machine/signal.hpp"
+#include "shared/record/journal.hpp"
 
 namespace psicarve::cli {
 namespace {

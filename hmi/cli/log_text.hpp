@@ -4,15 +4,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "shared/record/journal.hpp"
+#include "hmi/history/log_sources.hpp"
 
 namespace psicarve::cli {
 
-/// A record of a machine's journal, with the kind of machine.
-struct LogEntry {
-    JournalRecord record;
-    bool is_simulator = false;
-};
+using history::LogEntry;
 
 /// One line, with its line feed: time, kind, machine, what happened. Names of files and senders are copied
 /// unchanged.

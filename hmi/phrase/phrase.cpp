@@ -31,7 +31,9 @@ std::string in_english(const Phrase& text) {
 }
 
 Phrase joined(Phrase before, Phrase after) {
-    return Phrase{"%1: %2", {}, {std::move(before), std::move(after)}};
+    Phrase both = phrase("%1: %2");  // in Chinese the colon is as wide as its letters
+    both.inner = {std::move(before), std::move(after)};
+    return both;
 }
 
 Phrase listed(std::vector<Phrase> phrases) {

@@ -19,11 +19,12 @@ std::int64_t now_ns() noexcept {
 
 }  // namespace
 
-JogHand::JogHand(std::string segment_name, std::string group, Refused refused,
+JogHand::JogHand(std::string segment_name, std::string group, Refused refused, Remarked remarked,
                  std::chrono::milliseconds limit)
     : segment_name_(std::move(segment_name)),
       group_(std::move(group)),
       refused_(std::move(refused)),
+      remarked_(std::move(remarked)),
       limit_(limit) {}
 
 void JogHand::hold(machine::JogAxis axis, bool up, double speed) {
@@ -50,7 +51,8 @@ void JogHand::begin(Wish wish) {
     wanted_.store(wish.ticket);
     queue_.post([this, wish]() -> BackgroundQueue::Finish {
         const auto went = jog(wish);
-        if (went) return {};
+        if (went && went->is_none()) return {};
+        if (went) return [this, remark = *went] { remarked_(remark); };
         return [this, error = went.error(), is_of_test = wish.output.has_value()] {
             refused_(error, is_of_test);
         };
@@ -68,12 +70,14 @@ Result<HeldJog> JogHand::take(MachineLink& link, const Wish& wish) const {
     return HeldJog::on(link, wish.axis, wish.up, wish.speed, limit_);
 }
 
-Result<void> JogHand::jog(const Wish& wish) {
-    if (!is_wanted(wish)) return {};
+/// What the core said of it, once it has ended.
+Result<psicarve::Message> JogHand::jog(const Wish& wish) {
+    if (!is_wanted(wish)) return psicarve::Message{};
     auto link = MachineLink::attach(segment_name_, group_);
     if (!link) return link.error();
     auto held = take(*link, wish);
     if (!held) return held.error();
+    const psicarve::Message remark = link->command_remark();
     const auto watch = [&](const CoreStatus&) -> Result<void> {
         if (is_wanted(wish)) {
             held->renew();
@@ -84,7 +88,7 @@ Result<void> JogHand::jog(const Wish& wish) {
     };
     const auto end = link->wait_for_state({wish.output ? MachineState::off : MachineState::ready}, watch);
     if (!end) return end.error();
-    return {};
+    return remark;
 }
 
 }  // namespace psicarve::session

@@ -21,8 +21,11 @@ namespace psicarve::session {
 class JogHand {
 public:
     using Refused = std::function<void(const Error&, bool is_of_test)>;
-    /// poll() calls `refused`. An owner, or a whole process, that is silent for `limit` counts as hanging.
-    JogHand(std::string segment_name, std::string group, Refused refused,
+    /// What the core said of a jog that it took: that its speed is limited.
+    using Remarked = std::function<void(const psicarve::Message&)>;
+    /// poll() calls `refused` and `remarked`. An owner, or a whole process, that is silent for `limit` counts
+    /// as hanging.
+    JogHand(std::string segment_name, std::string group, Refused refused, Remarked remarked,
             std::chrono::milliseconds limit = kJogLease);
     ~JogHand() { release(); }
 
@@ -56,13 +59,14 @@ private:
         std::uint32_t pulses = 0;
     };
     void begin(Wish wish);
-    Result<void> jog(const Wish& wish);
+    Result<psicarve::Message> jog(const Wish& wish);
     Result<machine::HeldJog> take(machine::MachineLink& link, const Wish& wish) const;
     bool is_wanted(const Wish& wish) const noexcept;
 
     std::string segment_name_;
     std::string group_;
     Refused refused_;
+    Remarked remarked_;
     std::chrono::milliseconds limit_;
     std::atomic<std::uint64_t> wanted_{0};  ///< the ticket of the present jog; 0: none
     std::atomic<std::int64_t> beat_ns_{0};  ///< when the owner last called

@@ -26,6 +26,7 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
           [this](const Error& error, bool is_of_test) {
               tell_refusal(is_of_test ? OrderPlace::outputs : OrderPlace::jog, phrase("By hand"), error);
           },
+          [this](const psicarve::Message& remark) { tell_remark(phrase("By hand"), remark); },
           options_.hand_limit) {
     view_.watched_since = std::chrono::system_clock::now();
     if (options_.profile) offer_profile(*options_.profile);
@@ -267,6 +268,14 @@ void MachineSession::tell_refusal(OrderPlace place, const Phrase& name, const Er
     refused_.note({place, what, help_for(why.said)}, view_);
 }
 
+/// Of an order that was taken.
+void MachineSession::tell_remark(const Phrase& name, const psicarve::Message& remark) {
+    Phrase told = joined(name, message_phrase(remark));
+    std::string words = in_english(told);
+    if (words == std::exchange(told_remark_, words)) return;
+    log_.add_command(Severity::info, std::move(told));
+}
+
 void MachineSession::read_increments(const std::function<void(const IncrementEntry&)>& take) {
     // No more than the ring holds at one time: a core on the virtual clock writes faster than any reader
     // reads.
@@ -351,10 +360,11 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
         if (sent && command.kind == CommandKind::override) return then;
         if (sent)
-            return [this, name, then] {
+            return [this, name, then, remark = link->command_remark()] {
                 Phrase asked = phrase("Asked for: %1");
                 asked.inner.push_back(name);
                 log_.add_command(Severity::info, std::move(asked));
+                if (!remark.is_none()) tell_remark(name, remark);
                 if (then) then();
             };
         return [this, place = place_of(command.kind), name, otherwise, why = sent.error()] {

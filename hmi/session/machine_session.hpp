@@ -126,6 +126,7 @@ private:
     void deliver_forgetting();
     void go_on_with_start();
     void forget_wishes() noexcept;
+    void tell_remark(const Phrase& name, const psicarve::Message& remark);
     void tell_refusal(OrderPlace place, const Phrase& name, const Error& why);
 
     SessionOptions options_;
@@ -150,6 +151,7 @@ private:
     std::optional<std::uint32_t> wanted_override_percent_;
     RefusedOrder refused_;
     std::uint64_t jogs_asked_ = 0;
+    std::string told_remark_;  ///< the last, in English: a key that is pressed again says nothing new
     JogHand jog_;
     BackgroundQueue finder_;
     machine::LooseWork<std::optional<FoundCheckpoint>> disk_;         ///< may hang

@@ -22,6 +22,12 @@ struct AlarmPlace {
     std::uint64_t tick = 0;
 };
 
+/// The core whose journal has the message.
+struct JournalPlace {
+    std::uint64_t run = 0;  ///< counts the cores
+    bool is_simulator = false;
+};
+
 struct Message {
     std::chrono::system_clock::time_point time;  ///< the epoch for a message from before: not known
     Severity severity = Severity::info;
@@ -36,6 +42,7 @@ struct Message {
     Phrase cause{};               ///< more about the event and its cause
     std::vector<Phrase> steps{};  ///< all steps to take, `remedy` first
     std::optional<AlarmPlace> place{};
+    std::optional<JournalPlace> journal{};  ///< of one that was read there
 };
 
 /// The changes of the machine between two looks at it, in the order of telling. For a core that is heard for

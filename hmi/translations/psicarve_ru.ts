@@ -288,6 +288,10 @@
             <translation>и ещё %1</translation>
         </message>
         <message>
+            <source>%1 more came too fast to be written down</source>
+            <translation>Ещё %1: шли слишком быстро и не записаны</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>чисел %1, а не %2</translation>
         </message>
@@ -380,6 +384,10 @@
             <translation>радиусов %1, а в предыдущих слоях их %2</translation>
         </message>
         <message>
+            <source>%1 records could not be written into the journal</source>
+            <translation>Не удалось записать в журнал записей: %1</translation>
+        </message>
+        <message>
             <source>%1 roughing, finishing</source>
             <translation>черновых: %1, чистовой</translation>
         </message>
@@ -406,6 +414,10 @@
         <message>
             <source>%1 ticks missed in the last second</source>
             <translation>за последнюю секунду пропущено тактов: %1</translation>
+        </message>
+        <message>
+            <source>%1 ticks missed, %2 since the core started</source>
+            <translation>Пропущено тактов: %1, с запуска ядра: %2</translation>
         </message>
         <message>
             <source>%1 to %2 bytes</source>
@@ -508,6 +520,10 @@
             <translation>%1. Отказаться от них?</translation>
         </message>
         <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
             <source>%1: %2 to look at</source>
             <translation>%1: посмотреть %2</translation>
         </message>
@@ -570,6 +586,10 @@
         <message>
             <source>%1–%2°, through 0° (%3 %)</source>
             <translation>%1–%2°, через 0° (%3 %)</translation>
+        </message>
+        <message>
+            <source>%3 (layer %1, point %2)</source>
+            <translation>%3 (слой %1, точка %2)</translation>
         </message>
         <message>
             <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
@@ -752,6 +772,14 @@
             <translation>По кругу</translation>
         </message>
         <message>
+            <source>All runs</source>
+            <translation>Все запуски</translation>
+        </message>
+        <message>
+            <source>All runs: also what the cores have written down before this window was opened, in grey</source>
+            <translation>Все запуски: и то, что ядра записали до открытия этого окна, серым</translation>
+        </message>
+        <message>
             <source>All that can be opened (%1)</source>
             <translation>Всё, что открывается (%1)</translation>
         </message>
@@ -786,6 +814,10 @@
         <message>
             <source>As the desktop</source>
             <translation>Как в системе</translation>
+        </message>
+        <message>
+            <source>Asked for by %1, process %2</source>
+            <translation>Запросил: %1, процесс %2</translation>
         </message>
         <message>
             <source>Asked for: %1</source>
@@ -1060,6 +1092,10 @@
             <translation>Резьба</translation>
         </message>
         <message>
+            <source>Carving began with layer %2: %1</source>
+            <translation>Резьба началась со слоя %2: %1</translation>
+        </message>
+        <message>
             <source>Carving time</source>
             <translation>Время резьбы</translation>
         </message>
@@ -1140,6 +1176,10 @@
             <translation>Команда: %1</translation>
         </message>
         <message>
+            <source>Command: %1 (%2)</source>
+            <translation>Команда: %1 (%2)</translation>
+        </message>
+        <message>
             <source>Commands</source>
             <translation>Команды</translation>
         </message>
@@ -1186,6 +1226,10 @@
         <message>
             <source>DRY RUN</source>
             <translation>ХОЛОСТОЙ</translation>
+        </message>
+        <message>
+            <source>Damaged or torn records of the machine's history are left out: %1</source>
+            <translation>Повреждённые записи истории станка опущены: %1</translation>
         </message>
         <message>
             <source>Dark</source>
@@ -1310,6 +1354,10 @@
         <message>
             <source>Dry run</source>
             <translation>Холостой прогон</translation>
+        </message>
+        <message>
+            <source>Dry run began with layer %2: %1</source>
+            <translation>Холостой прогон начался со слоя %2: %1</translation>
         </message>
         <message>
             <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
@@ -1881,6 +1929,10 @@ F12  этот список</translation>
             <translation>Насколько метка R2 выше, ниже — минус</translation>
         </message>
         <message>
+            <source>How the one before ended is not known</source>
+            <translation>Как завершилось предыдущее, не известно</translation>
+        </message>
+        <message>
             <source>How to go there</source>
             <translation>Способ перехода</translation>
         </message>
@@ -1965,6 +2017,10 @@ F12  этот список</translation>
             <translation>Больше не предлагается; файл остаётся</translation>
         </message>
         <message>
+            <source>It is the first one</source>
+            <translation>Оно первое</translation>
+        </message>
+        <message>
             <source>It was begun with another profile of the machine.</source>
             <translation>Она начата с другим профилем станка.</translation>
         </message>
@@ -1993,12 +2049,24 @@ F12  этот список</translation>
             <translation>Задание</translation>
         </message>
         <message>
+            <source>Job done: %1</source>
+            <translation>Задание выполнено: %1</translation>
+        </message>
+        <message>
+            <source>Job ended by an alarm in layer %2: %1</source>
+            <translation>Задание прервано аварией в слое %2: %1</translation>
+        </message>
+        <message>
             <source>Job in the machine</source>
             <translation>Задание в станке</translation>
         </message>
         <message>
             <source>Job in travel</source>
             <translation>Ход достаточен</translation>
+        </message>
+        <message>
+            <source>Job loaded: %1, %2 layers of %3 points</source>
+            <translation>Задание загружено: %1, слоёв: %2, точек в слое: %3</translation>
         </message>
         <message>
             <source>Job no. %1 accepted</source>
@@ -2011,6 +2079,14 @@ F12  этот список</translation>
         <message>
             <source>Job published</source>
             <translation>Передано</translation>
+        </message>
+        <message>
+            <source>Job refused</source>
+            <translation>Задание отклонено</translation>
+        </message>
+        <message>
+            <source>Job stopped in layer %2: %1</source>
+            <translation>Задание остановлено в слое %2: %1</translation>
         </message>
         <message>
             <source>Job, state and flight recorder of the machine, to be looked at later</source>
@@ -2643,6 +2719,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Of top speed</source>
             <translation>От предела</translation>
+        </message>
+        <message>
+            <source>Of which time messages are shown</source>
+            <translation>За какое время показаны сообщения</translation>
         </message>
         <message>
             <source>On a round blank let R1 make a mark: a touch of its tip. Take it out, turn Ψ by exactly 180°, leave Y alone, and let R2 make its own. On a machine without error it falls on R1's.</source>
@@ -3565,6 +3645,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>С %1.</translation>
         </message>
         <message>
+            <source>Since the start</source>
+            <translation>С открытия</translation>
+        </message>
+        <message>
             <source>Since then the core has ended: there is none to take orders.</source>
             <translation>После этого ядро завершилось: принимать команды некому.</translation>
         </message>
@@ -4037,6 +4121,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ядро завершилось посреди работы</translation>
         </message>
         <message>
+            <source>The core has started: version %1, port %2, process %3</source>
+            <translation>Ядро запущено: версия %1, порт %2, процесс %3</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>Это задание есть у ядра.</translation>
         </message>
@@ -4161,10 +4249,6 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Задание или снимок, к которому относится трасса</translation>
         </message>
         <message>
-            <source>The language changes when the window is opened the next time</source>
-            <translation>Язык сменится при следующем открытии окна</translation>
-        </message>
-        <message>
             <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>
             <translation>Слои отстоят на %1 мм, а инструмент шириной всего %2 мм: между ними остаётся материал высотой с заготовку; чем больше слоёв, тем его меньше.</translation>
         </message>
@@ -4195,6 +4279,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The machine still has its job of before: Start carves %1.</source>
             <translation>У станка прежнее задание: «Пуск» вырезает %1.</translation>
+        </message>
+        <message>
+            <source>The machine's history is not shown in full</source>
+            <translation>История станка показана не полностью</translation>
         </message>
         <message>
             <source>The machine's profile is not known here: pins are those of the built-in profile.</source>
@@ -4243,6 +4331,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The old file is kept as a backup. Then start the core with the new one, and slice models anew: a job is made for one calibration.</source>
             <translation>Старый файл остаётся резервной копией. Затем запустите ядро с новым и нарежьте модели заново: задание делается для одной калибровки.</translation>
+        </message>
+        <message>
+            <source>The one before ended in order</source>
+            <translation>Предыдущее завершилось штатно</translation>
+        </message>
+        <message>
+            <source>The one before has no end, and the computer was started again since</source>
+            <translation>У предыдущего нет конца, компьютер с тех пор перезапускался</translation>
+        </message>
+        <message>
+            <source>The one before has no end: killed, crashed, or the computer was switched off</source>
+            <translation>У предыдущего нет конца: убито, упало или компьютер выключили</translation>
+        </message>
+        <message>
+            <source>The one before was killed or crashed</source>
+            <translation>Предыдущее убито или упало</translation>
         </message>
         <message>
             <source>The picture does not say what its fourth sample is: it is taken as transparency (alpha).</source>
@@ -4439,6 +4543,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ticks were missed (%1 since the core started); motors may have lost steps.</source>
             <translation>Такты пропущены (с запуска ядра: %1); двигатели могли потерять шаги.</translation>
+        </message>
+        <message>
+            <source>Ticks were missed; motors may have lost steps.</source>
+            <translation>Такты пропущены; двигатели могли потерять шаги.</translation>
         </message>
         <message>
             <source>Time</source>
@@ -5805,6 +5913,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>joining</source>
             <translation>соединение</translation>
+        </message>
+        <message>
+            <source>journal of the machine, run %1</source>
+            <translation>журнал станка, запуск %1</translation>
+        </message>
+        <message>
+            <source>journal of the simulator, run %1</source>
+            <translation>журнал симулятора, запуск %1</translation>
         </message>
         <message>
             <source>kernel</source>

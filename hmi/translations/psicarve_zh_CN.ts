@@ -288,6 +288,10 @@
             <translation>另有 %1 项</translation>
         </message>
         <message>
+            <source>%1 more came too fast to be written down</source>
+            <translation>另有 %1 条来得太快，未能记录</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>有 %1 个数，应为 %2 个</translation>
         </message>
@@ -380,6 +384,10 @@
             <translation>有 %1 个半径，而前面各层有 %2 个</translation>
         </message>
         <message>
+            <source>%1 records could not be written into the journal</source>
+            <translation>%1 条记录未能写入日志</translation>
+        </message>
+        <message>
             <source>%1 roughing, finishing</source>
             <translation>粗加工 %1 遍，精加工</translation>
         </message>
@@ -406,6 +414,10 @@
         <message>
             <source>%1 ticks missed in the last second</source>
             <translation>最近一秒丢失 %1 个节拍</translation>
+        </message>
+        <message>
+            <source>%1 ticks missed, %2 since the core started</source>
+            <translation>丢失 %1 个节拍，内核启动以来共 %2 个</translation>
         </message>
         <message>
             <source>%1 to %2 bytes</source>
@@ -508,6 +520,10 @@
             <translation>%1。要放弃吗？</translation>
         </message>
         <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
             <source>%1: %2 to look at</source>
             <translation>%1：有 %2 条需要查看</translation>
         </message>
@@ -570,6 +586,10 @@
         <message>
             <source>%1–%2°, through 0° (%3 %)</source>
             <translation>%1–%2°，经过 0°（%3 %）</translation>
+        </message>
+        <message>
+            <source>%3 (layer %1, point %2)</source>
+            <translation>%3（第 %1 层，第 %2 点）</translation>
         </message>
         <message>
             <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
@@ -752,6 +772,14 @@
             <translation>整周</translation>
         </message>
         <message>
+            <source>All runs</source>
+            <translation>所有运行</translation>
+        </message>
+        <message>
+            <source>All runs: also what the cores have written down before this window was opened, in grey</source>
+            <translation>所有运行：还包括本窗口打开之前内核记录的内容，显示为灰色</translation>
+        </message>
+        <message>
             <source>All that can be opened (%1)</source>
             <translation>所有可打开的文件 (%1)</translation>
         </message>
@@ -786,6 +814,10 @@
         <message>
             <source>As the desktop</source>
             <translation>跟随桌面</translation>
+        </message>
+        <message>
+            <source>Asked for by %1, process %2</source>
+            <translation>请求者：%1，进程 %2</translation>
         </message>
         <message>
             <source>Asked for: %1</source>
@@ -1060,6 +1092,10 @@
             <translation>雕刻</translation>
         </message>
         <message>
+            <source>Carving began with layer %2: %1</source>
+            <translation>从第 %2 层开始雕刻：%1</translation>
+        </message>
+        <message>
             <source>Carving time</source>
             <translation>雕刻时间</translation>
         </message>
@@ -1140,6 +1176,10 @@
             <translation>命令：%1</translation>
         </message>
         <message>
+            <source>Command: %1 (%2)</source>
+            <translation>命令：%1（%2）</translation>
+        </message>
+        <message>
             <source>Commands</source>
             <translation>命令</translation>
         </message>
@@ -1186,6 +1226,10 @@
         <message>
             <source>DRY RUN</source>
             <translation>空运行</translation>
+        </message>
+        <message>
+            <source>Damaged or torn records of the machine's history are left out: %1</source>
+            <translation>机床历史中损坏的记录已略去：%1</translation>
         </message>
         <message>
             <source>Dark</source>
@@ -1310,6 +1354,10 @@
         <message>
             <source>Dry run</source>
             <translation>空运行</translation>
+        </message>
+        <message>
+            <source>Dry run began with layer %2: %1</source>
+            <translation>从第 %2 层开始空运行：%1</translation>
         </message>
         <message>
             <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
@@ -1880,6 +1928,10 @@ F12  本列表</translation>
             <translation>R2 的标记高出多少，低为 −</translation>
         </message>
         <message>
+            <source>How the one before ended is not known</source>
+            <translation>上一个内核如何结束不得而知</translation>
+        </message>
+        <message>
             <source>How to go there</source>
             <translation>移动方式</translation>
         </message>
@@ -1964,6 +2016,10 @@ F12  本列表</translation>
             <translation>不再提示；文件保留</translation>
         </message>
         <message>
+            <source>It is the first one</source>
+            <translation>这是第一个内核</translation>
+        </message>
+        <message>
             <source>It was begun with another profile of the machine.</source>
             <translation>它是用另一份机床配置开始的。</translation>
         </message>
@@ -1992,12 +2048,24 @@ F12  本列表</translation>
             <translation>作业</translation>
         </message>
         <message>
+            <source>Job done: %1</source>
+            <translation>作业完成：%1</translation>
+        </message>
+        <message>
+            <source>Job ended by an alarm in layer %2: %1</source>
+            <translation>作业因报警在第 %2 层结束：%1</translation>
+        </message>
+        <message>
             <source>Job in the machine</source>
             <translation>机床中的作业</translation>
         </message>
         <message>
             <source>Job in travel</source>
             <translation>作业在行程内</translation>
+        </message>
+        <message>
+            <source>Job loaded: %1, %2 layers of %3 points</source>
+            <translation>作业已载入：%1，%2 层，每层 %3 点</translation>
         </message>
         <message>
             <source>Job no. %1 accepted</source>
@@ -2010,6 +2078,14 @@ F12  本列表</translation>
         <message>
             <source>Job published</source>
             <translation>作业已发布</translation>
+        </message>
+        <message>
+            <source>Job refused</source>
+            <translation>作业被拒绝</translation>
+        </message>
+        <message>
+            <source>Job stopped in layer %2: %1</source>
+            <translation>作业在第 %2 层停止：%1</translation>
         </message>
         <message>
             <source>Job, state and flight recorder of the machine, to be looked at later</source>
@@ -2642,6 +2718,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Of top speed</source>
             <translation>占最高速度</translation>
+        </message>
+        <message>
+            <source>Of which time messages are shown</source>
+            <translation>显示哪段时间的消息</translation>
         </message>
         <message>
             <source>On a round blank let R1 make a mark: a touch of its tip. Take it out, turn Ψ by exactly 180°, leave Y alone, and let R2 make its own. On a machine without error it falls on R1's.</source>
@@ -3560,6 +3640,10 @@ N、Shift+N  下一条、上一条记录
             <translation>时间 %1。</translation>
         </message>
         <message>
+            <source>Since the start</source>
+            <translation>自打开以来</translation>
+        </message>
+        <message>
             <source>Since then the core has ended: there is none to take orders.</source>
             <translation>此后内核已结束：没有内核接收指令。</translation>
         </message>
@@ -4032,6 +4116,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内核在工作中途结束</translation>
         </message>
         <message>
+            <source>The core has started: version %1, port %2, process %3</source>
+            <translation>内核已启动：版本 %1，端口 %2，进程 %3</translation>
+        </message>
+        <message>
             <source>The core has this job.</source>
             <translation>内核已有此作业。</translation>
         </message>
@@ -4156,10 +4244,6 @@ N、Shift+N  下一条、上一条记录
             <translation>此轨迹所属的作业或快照</translation>
         </message>
         <message>
-            <source>The language changes when the window is opened the next time</source>
-            <translation>下次打开窗口时更换语言</translation>
-        </message>
-        <message>
             <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>
             <translation>各层相距 %1 mm，而刀具仅宽 %2 mm：层间会留下与毛坯等高的材料；层数越多，残留越少。</translation>
         </message>
@@ -4190,6 +4274,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The machine still has its job of before: Start carves %1.</source>
             <translation>机床仍是原来的作业：“启动”将雕刻 %1。</translation>
+        </message>
+        <message>
+            <source>The machine's history is not shown in full</source>
+            <translation>机床历史未能完整显示</translation>
         </message>
         <message>
             <source>The machine's profile is not known here: pins are those of the built-in profile.</source>
@@ -4238,6 +4326,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The old file is kept as a backup. Then start the core with the new one, and slice models anew: a job is made for one calibration.</source>
             <translation>旧文件保留为备份。之后用新文件启动内核，并重新切片：作业只对应一次校准。</translation>
+        </message>
+        <message>
+            <source>The one before ended in order</source>
+            <translation>上一个内核正常结束</translation>
+        </message>
+        <message>
+            <source>The one before has no end, and the computer was started again since</source>
+            <translation>上一个内核没有结束记录，此后计算机重新启动过</translation>
+        </message>
+        <message>
+            <source>The one before has no end: killed, crashed, or the computer was switched off</source>
+            <translation>上一个内核没有结束记录：被终止、崩溃或计算机断电</translation>
+        </message>
+        <message>
+            <source>The one before was killed or crashed</source>
+            <translation>上一个内核被终止或崩溃</translation>
         </message>
         <message>
             <source>The picture does not say what its fourth sample is: it is taken as transparency (alpha).</source>
@@ -4434,6 +4538,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Ticks were missed (%1 since the core started); motors may have lost steps.</source>
             <translation>有节拍丢失（内核启动以来 %1 个）；电机可能已丢步。</translation>
+        </message>
+        <message>
+            <source>Ticks were missed; motors may have lost steps.</source>
+            <translation>有节拍丢失；电机可能已丢步。</translation>
         </message>
         <message>
             <source>Time</source>
@@ -5798,6 +5906,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>joining</source>
             <translation>连接方式</translation>
+        </message>
+        <message>
+            <source>journal of the machine, run %1</source>
+            <translation>机床日志，第 %1 次运行</translation>
+        </message>
+        <message>
+            <source>journal of the simulator, run %1</source>
+            <translation>模拟器日志，第 %1 次运行</translation>
         </message>
         <message>
             <source>kernel</source>

@@ -52,7 +52,6 @@ bool is_moving(MachineState state) {
 CarvingPage::CarvingPage(WindowContext& context, Drawing drawing, QWidget* parent)
     : QWidget(parent),
       context_(context),
-      watch_(context.machine, context.open_job),
       view_(new MeshView{drawing}),
       axes_(new AxisTable{context}),
       colourings_(new QButtonGroup{this}),
@@ -159,9 +158,9 @@ void CarvingPage::set_theme(const Tokens& tokens) {
 }
 
 void CarvingPage::refresh() {
-    watch_.refresh();
-    if (blank_edition_ != watch_.edition()) scene_.reset();
-    blank_edition_ = watch_.edition();
+    context_.carving.refresh();
+    if (blank_edition_ != context_.carving.edition()) scene_.reset();
+    blank_edition_ = context_.carving.edition();
     axes_->refresh();
     // A recording's pulses are judged by `psicarve verify`; here it is the piece alone.
     QAbstractButton* const deviation = colourings_->button(static_cast<int>(session::Colouring::deviation));
@@ -177,12 +176,12 @@ void CarvingPage::refresh() {
 }
 
 session::CarvingRecord* CarvingPage::shown_record() const noexcept {
-    return context_.replay.is_open() ? context_.replay.carving() : watch_.record();
+    return context_.replay.is_open() ? context_.replay.carving() : context_.carving.record();
 }
 
 piece::PieceFront* CarvingPage::shown_piece() const noexcept {
     if (context_.replay.is_open()) return context_.replay.tool_piece();
-    return watch_.piece() != nullptr ? &watch_.piece()->front() : nullptr;
+    return context_.carving.piece() != nullptr ? &context_.carving.piece()->front() : nullptr;
 }
 
 /// Grows with whatever of the piece has changed.
@@ -194,7 +193,7 @@ std::uint64_t CarvingPage::shown_edition() const noexcept {
 void CarvingPage::draw() {
     session::CarvingRecord* const record = shown_record();
     // A fresh blank is on its way: what stands there stays until then.
-    if (record == nullptr && watch_.has_job() && !context_.replay.is_open()) return;
+    if (record == nullptr && context_.carving.has_job() && !context_.replay.is_open()) return;
     if (shown_replay_ != context_.replay.edition() || drawn_record_ != record) scene_.reset();
     shown_replay_ = context_.replay.edition();
     drawn_record_ = record;
@@ -327,7 +326,7 @@ void CarvingPage::say() {
         return;
     }
     const std::uint32_t layers = job->view.layer_count();
-    const session::LivePiece* const live = context_.replay.is_open() ? nullptr : watch_.piece();
+    const session::LivePiece* const live = context_.replay.is_open() ? nullptr : context_.carving.piece();
     const std::uint32_t planned =
         std::max(record->planned_layers(), live != nullptr ? live->skipped_layers() : 0U);
     const bool is_planned = context_.replay.is_open() && !context_.replay.facts().knows_every_pulse;

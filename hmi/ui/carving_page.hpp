@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "hmi/scene/carved_scene.hpp"
-#include "hmi/session/carving_watch.hpp"
 #include "hmi/ui/mesh_view.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "hmi/ui/window_context.hpp"
@@ -36,7 +35,7 @@ public:
     void set_theme(const Tokens& tokens);
     /// The record is kept whether or not somebody looks at the page.
     void refresh();
-    const session::CarvingWatch& watch() const noexcept { return watch_; }
+    const session::CarvingWatch& watch() const noexcept { return context_.carving; }
     MeshView& view() noexcept { return *view_; }
 
 protected:
@@ -63,7 +62,6 @@ private:
 
     WindowContext& context_;
     const Tokens* tokens_ = nullptr;
-    session::CarvingWatch watch_;
     std::uint64_t blank_edition_ = 0;  ///< of the watch, that scene_ may be of
     std::unique_ptr<session::PieceOnTable> scene_;
     std::array<std::shared_ptr<const session::MeshScene>, verify::kHeadCount> rods_;

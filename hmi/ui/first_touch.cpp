@@ -9,6 +9,9 @@
 namespace psicarve::ui {
 namespace {
 
+/// A desktop needs two for a place and a size of its own, each.
+constexpr int kMovesOfAHand = 6;
+
 bool is_touch(const QEvent& event) {
     switch (event.type()) {
         case QEvent::MouseButtonPress:
@@ -18,6 +21,7 @@ bool is_touch(const QEvent& event) {
         case QEvent::KeyPress:
         case QEvent::ShortcutOverride:
         case QEvent::Drop:
+        case QEvent::NonClientAreaMouseButtonPress:
             return true;
         default:
             return false;
@@ -40,8 +44,14 @@ bool FirstTouch::is_ours(const QObject& watched) const {
     return false;
 }
 
+bool FirstTouch::is_drawn(const QObject& watched, const QEvent& event) {
+    const bool is_move = event.type() == QEvent::Move || event.type() == QEvent::Resize;
+    if (!is_move || &watched != &window_ || !window_.isVisible()) return false;
+    return ++moves_ >= kMovesOfAHand;
+}
+
 bool FirstTouch::eventFilter(QObject* watched, QEvent* event) {
-    if (is_touch(*event) && is_ours(*watched)) {
+    if ((is_touch(*event) && is_ours(*watched)) || is_drawn(*watched, *event)) {
         has_come_ = true;
         qApp->removeEventFilter(this);
     }

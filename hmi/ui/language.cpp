@@ -21,6 +21,11 @@ const char* code_of(Language language) {
     return kLanguages[static_cast<std::size_t>(language)].code;
 }
 
+Language& used() {
+    static Language language = Language::english;
+    return language;
+}
+
 void take_down(std::unique_ptr<QTranslator>& translator) {
     if (translator != nullptr) QCoreApplication::removeTranslator(translator.get());
     translator.reset();
@@ -55,7 +60,12 @@ QString Catalogue::translate(const char* /*context*/, const char* text, const ch
     return QTranslator::translate(kContext, text, nullptr, count);
 }
 
+Language used_language() {
+    return used();
+}
+
 void use_language(Language language) {
+    used() = language;
     static std::unique_ptr<QTranslator> of_qt;
     static std::unique_ptr<QTranslator> ours;
     take_down(of_qt);

@@ -34,7 +34,9 @@ public:
 };
 
 /// From here on texts come in this language, ours and Qt's own. Texts that a window has already stay as they
-/// are. Needs the application.
+/// are until its views are made anew. Needs the application.
 void use_language(Language language);
+/// The last that was asked for.
+Language used_language();
 
 }  // namespace psicarve::ui

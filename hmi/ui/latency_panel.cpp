@@ -53,7 +53,6 @@ QPushButton* small_button(const char* name, const QString& text) {
 LatencyPanel::LatencyPanel(WindowContext& context, QWidget* parent)
     : QWidget(parent),
       context_(context),
-      desk_(context.log),
       cpu_(new ChoiceBox),
       progress_(new QProgressBar),
       said_(role_label("label")),
@@ -76,6 +75,7 @@ LatencyPanel::LatencyPanel(WindowContext& context, QWidget* parent)
     all->addLayout(make_wish());
     all->addWidget(progress_);
     all->addWidget(said_);
+    if (context.latency.last()) show_result();
 }
 
 QLayout* LatencyPanel::make_wish() {
@@ -92,14 +92,15 @@ QLayout* LatencyPanel::make_wish() {
     for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
         cpu_->addItem(tr("processor %1").arg(i), QString::number(i));
     begin_ = new ActionButton{[this](const WindowContext& now) -> std::optional<session::Phrase> {
-                                  if (desk_.is_measuring()) return session::phrase("Measure: under way");
+                                  if (context_.latency.is_measuring())
+                                      return session::phrase("Measure: under way");
                                   return session::latency_lock(now.machine.view());
                               },
-                              tr("Measure"), [this] { desk_.begin(options()); }};
+                              tr("Measure"), [this] { context_.latency.begin(options()); }};
     begin_->setObjectName("latency_begin");
     begin_->set_hint(tr("Runs the core's own tick loop with nothing in the tick; touches no machine"));
     end_ = small_button("latency_end", tr("End now"));
-    connect(end_, &QPushButton::clicked, this, [this] { desk_.end(); });
+    connect(end_, &QPushButton::clicked, this, [this] { context_.latency.end(); });
     save_ = small_button("latency_save", tr("Save CSV…"));
     connect(save_, &QPushButton::clicked, this, [this] {
         const QString path =
@@ -129,8 +130,8 @@ void LatencyPanel::set_theme(const Tokens& tokens) {
 }
 
 void LatencyPanel::save(const QString& path) {
-    if (!desk_.last()) return;
-    context_.files.save_text(path.toStdString(), report::latency_csv(desk_.last()->result));
+    if (!context_.latency.last()) return;
+    context_.files.save_text(path.toStdString(), report::latency_csv(context_.latency.last()->result));
 }
 
 void LatencyPanel::show_result() {
@@ -140,7 +141,7 @@ void LatencyPanel::show_result() {
     }
     constexpr int kColumns = 2;
     int place = 0;
-    for (const session::LatencyRow& row : session::latency_rows(*desk_.last())) {
+    for (const session::LatencyRow& row : session::latency_rows(*context_.latency.last())) {
         const int column = 2 * (place % kColumns);
         auto* const name = role_label("label", words(row.name));
         name->setWordWrap(true);
@@ -148,30 +149,30 @@ void LatencyPanel::show_result() {
         rows_->addWidget(plain_label(words(row.value)), place / kColumns, column + 1);
         ++place;
     }
-    histogram_->show_health(session::latency_health(*desk_.last()));
+    histogram_->show_health(session::latency_health(*context_.latency.last()));
 }
 
 void LatencyPanel::refresh() {
-    const bool was_measuring = desk_.is_measuring();
-    desk_.poll();
-    const bool is_measuring = desk_.is_measuring();
-    if (was_measuring && !is_measuring && desk_.last()) show_result();
+    const bool was_measuring = context_.latency.is_measuring();
+    context_.latency.poll();
+    const bool is_measuring = context_.latency.is_measuring();
+    if (was_measuring && !is_measuring && context_.latency.last()) show_result();
     const QString locked = begin_->refresh(context_);
     lock_with(*end_, is_measuring ? QString{} : tr("End now: nothing is being measured"),
               tr("What was measured so far is the result"));
-    lock_with(*save_, desk_.last() ? QString{} : tr("Save CSV: nothing was measured yet"));
+    lock_with(*save_, context_.latency.last() ? QString{} : tr("Save CSV: nothing was measured yet"));
     for (QWidget* part :
          {static_cast<QWidget*>(seconds_), static_cast<QWidget*>(period_), static_cast<QWidget*>(cpu_)})
         part->setEnabled(!is_measuring);
     progress_->setVisible(is_measuring);
     QString text = locked;
     if (is_measuring) {
-        const machine::LatencyProgress now = desk_.progress();
-        progress_->setRange(0, static_cast<int>(desk_.options().seconds));
+        const machine::LatencyProgress now = context_.latency.progress();
+        progress_->setRange(0, static_cast<int>(context_.latency.options().seconds));
         progress_->setValue(static_cast<int>(now.seconds));
         text = tr("%1 of %2 s, %3 missed, at most %4 late")
                    .arg(now.seconds)
-                   .arg(desk_.options().seconds)
+                   .arg(context_.latency.options().seconds)
                    .arg(now.missed)
                    .arg(QString::fromStdString(session::duration_text(now.max_ns)));
     } else if (text.isEmpty()) {

@@ -37,7 +37,6 @@ private:
     void show_result();
 
     WindowContext& context_;
-    session::LatencyTrial desk_;
     QSpinBox* seconds_;
     QSpinBox* period_;
     QComboBox* cpu_;

@@ -85,7 +85,7 @@ QLayout* LayersPage::make_views() {
     slider_->setAccessibleName(tr("Layer"));
     slider_->setRange(1, 1);
     connect(slider_, &QSlider::valueChanged, this, [this](int value) {
-        cursor_.choose_layer(static_cast<std::uint32_t>(value - 1));
+        context_.layer_cursor.choose_layer(static_cast<std::uint32_t>(value - 1));
         show_place();
     });
     auto* views = new QHBoxLayout;
@@ -106,7 +106,7 @@ QLayout* LayersPage::make_along() {
     point_slider_->setAccessibleName(tr("Point"));
     point_slider_->setRange(0, 0);
     connect(point_slider_, &QSlider::valueChanged, this, [this](int value) {
-        cursor_.choose_point(static_cast<std::uint32_t>(value));
+        context_.layer_cursor.choose_point(static_cast<std::uint32_t>(value));
         show_place();
     });
     auto* under = new QHBoxLayout;  // the slider's ends below the curves' ends
@@ -128,8 +128,9 @@ QWidget* LayersPage::make_facts() {
     connect(number_, &QSpinBox::valueChanged, slider_, &QSlider::setValue);
     follow_ = new TickBox{tr("Follow the machine")};
     follow_->setObjectName("follow_machine");
-    follow_->setChecked(true);
-    connect(follow_, &QCheckBox::toggled, this, [this](bool follows) { cursor_.follow(follows); });
+    follow_->setChecked(context_.layer_cursor.follows());
+    connect(follow_, &QCheckBox::toggled, this,
+            [this](bool follows) { context_.layer_cursor.follow(follows); });
     auto* whole = new QWidget;
     whole->setFixedWidth(kFactsWidth);
     auto* grid = new QGridLayout{whole};
@@ -201,7 +202,7 @@ void LayersPage::take_job() {
     const auto heights = job_->view.layer_heights_pulses().subspan(job_->view.finishing_layer());
     const double per_mm = job_->profile.y.pulses_per_mm;
     unrolled_->show_map(map, mm_from_pulses(heights.front(), per_mm), mm_from_pulses(heights.back(), per_mm));
-    cursor_.begin(job_->view.layer_count(), job_->view.point_count());
+    context_.layer_cursor.begin(job_->view.layer_count(), job_->view.point_count());
     const auto layers = static_cast<int>(job_->view.layer_count());
     const QSignalBlocker quiet{number_};
     const QSignalBlocker quiet_slider{slider_};
@@ -217,13 +218,13 @@ void LayersPage::take_job() {
 /// What the cursor says, as far as it is not shown yet.
 void LayersPage::show_place() {
     if (!job_) return;
-    const session::TablePlace place = cursor_.place();
+    const session::TablePlace place = context_.layer_cursor.place();
     const bool is_other_layer = !shown_ || shown_->layer != place.layer;
     if (is_other_layer) show_layer(place.layer);
     if (is_other_layer || shown_->point != place.point) show_point(place.point);
     shown_ = place;
     const QSignalBlocker quiet{follow_};
-    follow_->setChecked(cursor_.follows());
+    follow_->setChecked(context_.layer_cursor.follows());
 }
 
 void LayersPage::show_layer(std::uint32_t layer) {
@@ -313,7 +314,7 @@ void LayersPage::follow_machine() {
               tr("Layer and point are those of the machine, until others are chosen"));
     std::optional<session::TablePlace> machine;
     if (is_at_job) machine = {machine_view.status->layer, machine_view.status->point};
-    cursor_.note_machine(machine);
+    context_.layer_cursor.note_machine(machine);
     if (!slider_->isSliderDown() && !point_slider_->isSliderDown()) show_place();
     if (!is_at_job) return polar_->show_heads({});
     const std::int64_t per_rev = job_->profile.psi.pulses_per_rev;

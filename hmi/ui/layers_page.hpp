@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "hmi/scene/radius_map.hpp"
-#include "hmi/session/layer_cursor.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "hmi/ui/window_context.hpp"
 
@@ -53,7 +52,6 @@ private:
 
     WindowContext& context_;
     std::shared_ptr<const cam::PreparedJob> job_;
-    session::LayerCursor cursor_;
     std::optional<session::TablePlace> shown_;
     bool is_planned_ = false;        ///< the times that are shown
     std::optional<double> whole_s_;  ///< of the job, as the core plans it; goes on counting while it runs

@@ -28,6 +28,7 @@
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/job_panel.hpp"
 #include "hmi/ui/jog_panel.hpp"
+#include "hmi/ui/model_page.hpp"
 #include "hmi/ui/option_keeper.hpp"
 #include "hmi/ui/page_tabs.hpp"
 #include "hmi/ui/place_keeper.hpp"
@@ -75,14 +76,31 @@ private:
 
 MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
                        std::unique_ptr<SettingsStore> settings)
-    : context_(options, std::move(settings)),
-      drawing_(drawing),
-      settings_(*context_.settings),
-      menu_(new QMenu{this}) {
+    : context_(options, std::move(settings)), drawing_(drawing), settings_(*context_.settings) {
     if (!context_.settings->await_read(kSettingsLimit)) first_touch_ = std::make_unique<FirstTouch>(*this);
     context_.settings->set_on_read([this] { take_settings(); });
     setWindowTitle("Psicarve");
     setAcceptDrops(true);
+    setMinimumSize(kLeastSize);
+    take_place();
+    build(Begin::anew);
+    ask_ = [this] { return ask_what_to_do(); };
+    stop_keys_ =
+        std::make_unique<StopKeys>(StopKeys::Acts{[this] { emergency_stop(); }, [this] { return may_stop(); },
+                                                  [this] { stop(); }, [this] { return escape_act(); }});
+    connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
+    timer_.start(kLookPause);
+    connect(&language_timer_, &QTimer::timeout, this, [this] { change_language(); });
+    new PaletteEar{this, [this] {  // the window owns it
+                       if (theme_of(settings_.theme()) != theme_) show_theme();
+                   }};
+    // The desktop ends without asking once more.
+    connect(qApp, &QGuiApplication::commitDataRequest, this, [this] { write_place(); });
+}
+
+/// All views, in the language of the moment.
+void MainWindow::build(Begin begin) {
+    menu_ = new QMenu{this};
     make_menu();
     strip_ = new Strip{context_, menu_};
     position_ = new PositionPanel{context_};
@@ -108,20 +126,10 @@ MainWindow::MainWindow(const session::SessionOptions& options, Drawing drawing,
     make_status_bar();
     all->addWidget(status_row_);
     setCentralWidget(whole);
-    setMinimumSize(kLeastSize);
-    take_place();
+    if (begin == Begin::with_work_that_comes) pages_->model().await_work();
     show_theme();
     pages_->tabBar()->setFocus();  // not on anything that moves the machine
-    ask_ = [this] { return ask_what_to_do(); };
     make_panels_menu();
-    stop_keys_ =
-        std::make_unique<StopKeys>(StopKeys::Acts{[this] { emergency_stop(); }, [this] { return may_stop(); },
-                                                  [this] { stop(); }, [this] { return escape_act(); }});
-    connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
-    timer_.start(kLookPause);
-    new PaletteEar{this, [this] {  // the window owns it
-                       if (theme_of(settings_.theme()) != theme_) show_theme();
-                   }};
     keep_place();
 }
 
@@ -252,7 +260,11 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
-    const Room room = room_in(event->size());
+    show_room(room_in(event->size()));
+    QMainWindow::resizeEvent(event);
+}
+
+void MainWindow::show_room(Room room) {
     strip_->set_room(room);
     job_->set_room(room);
     unfinished_->set_room(room);
@@ -263,7 +275,6 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
         jog_->let_go();
         setStyleSheet(style_sheet(tokens_of(theme_), room == Room::wide));
     }
-    QMainWindow::resizeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -13,6 +13,7 @@
 #include "hmi/session/profile_arrival.hpp"
 #include "hmi/session/status_line.hpp"
 #include "hmi/ui/settings.hpp"
+#include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/space_canvas.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "hmi/ui/window_context.hpp"
@@ -35,7 +36,6 @@ class RefusalBar;
 class UnfinishedBar;
 class CoreProfileBar;
 class ReplayBar;
-class SidePanels;
 class Strip;
 
 /// What is to become of a machine that moves when the window closes.
@@ -87,6 +87,14 @@ protected:
 private:
     class StopKeys;
 
+    enum class Begin : std::uint8_t { anew, with_work_that_comes };
+    void build(Begin begin);
+    void take_down();
+    void show_room(Room room);
+    // main_window_language.cpp
+    void choose_language(std::optional<Language> choice);
+    bool may_change_language() const;
+    void change_language();
     void make_menu();
     void make_file_menu();
     void make_help_menu();
@@ -101,6 +109,7 @@ private:
     void keep_place();
     void write_place();
     void show_kept_place();
+    void show_last_message();
     void close_once_held();
     void refresh_tools();
     void choose_trace_to_verify();
@@ -138,7 +147,7 @@ private:
     Theme theme_ = Theme::light;  ///< that is shown
     bool wants_last_page_ = false;
     session::ProfileArrival arrival_;
-    QMenu* menu_;
+    QMenu* menu_ = nullptr;
     QMenu* file_menu_ = nullptr;
     QMenu* machine_menu_ = nullptr;
     QMenu* view_menu_ = nullptr;
@@ -175,6 +184,7 @@ private:
     std::unique_ptr<OptionKeeper> option_keeper_;
     bool closes_held_ = false;  ///< the core has taken the hold that was to be closed with
     QTimer timer_;
+    QTimer language_timer_;  ///< runs while another language is wanted
 };
 
 }  // namespace psicarve::ui

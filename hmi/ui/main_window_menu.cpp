@@ -216,11 +216,7 @@ void MainWindow::make_language_menu() {
         group->addAction(action);
         connect(languages, &QMenu::aboutToShow, action,
                 [this, action, choice] { action->setChecked(choice == settings_.language()); });
-        connect(action, &QAction::triggered, this, [this, choice] {
-            settings_.set_language(choice);
-            context_.log.add(session::Severity::info,
-                             session::phrase("The language changes when the window is opened the next time"));
-        });
+        connect(action, &QAction::triggered, this, [this, choice] { choose_language(choice); });
     };
     add("system", tr("As the desktop"), std::nullopt);
     for (const LanguageName& name : kLanguages)

@@ -55,8 +55,6 @@ void MainWindow::keep_place() {
     option_keeper_ = std::make_unique<OptionKeeper>(*this, settings_, [this] {
         if (place_keeper_) place_keeper_->keep_soon();
     });
-    // The desktop ends without asking once more.
-    connect(qApp, &QGuiApplication::commitDataRequest, this, [this] { write_place(); });
 }
 
 void MainWindow::write_place() {

@@ -2,6 +2,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include "hmi/ui/core_profile_bar.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/words.hpp"
@@ -35,6 +36,10 @@ void MainWindow::make_status_bar() {
 void MainWindow::refresh_status_bar() {
     refresh_profile_label();
     if (!status_line_.look(context_.log, session::StatusLine::Clock::now())) return elide_message();
+    show_last_message();
+}
+
+void MainWindow::show_last_message() {
     const session::Message& last = *status_line_.shown();
     const QString text = QStringLiteral("%1 %2").arg(local_time(last.time, "HH:mm:ss"), words(last.what));
     message_text_ = text;

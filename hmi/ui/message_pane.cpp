@@ -31,7 +31,7 @@ bool is_under_way(const session::MachineView& machine) {
 std::optional<session::Phrase> recorder_lock(const WindowContext& context,
                                              const std::optional<session::AlarmPlace>& place) {
     if (!place) return session::phrase("Only an alarm has a place in the flight recorder");
-    if (place->core_pid != context.machine.view().core_pid)
+    if (place->core_pid == 0 || place->core_pid != context.machine.view().core_pid)
         return session::phrase("Its core is gone, and its flight recorder with it");
     if (is_under_way(context.machine.view()))
         return session::phrase("The machine is under way; at rest, without a job that waits or is held");
@@ -123,6 +123,11 @@ void MessagePane::show_message(const session::Message* message, const QString& k
     QStringList facts{kind};
     facts.prepend(has_time ? local_time(message->time, "yyyy-MM-dd HH:mm:ss.zzz") : tr("time not known"));
     if (!message->axes.empty()) facts << tr("axis %1").arg(QString::fromStdString(message->axes));
+    if (message->journal) {
+        facts << (message->journal->is_simulator ? tr("journal of the simulator, run %1")
+                                                 : tr("journal of the machine, run %1"))
+                     .arg(message->journal->run);
+    }
     show_or_hide(*title_, words(message->what));
     show_or_hide(*when_, facts.join(QStringLiteral(" \u00B7 ")));
     show_or_hide(*cause_, words(message->cause));

@@ -28,6 +28,7 @@ public:
     /// Null: none is selected.
     void show_message(const session::Message* message, const QString& kind);
     void refresh();
+    bool is_saving() const noexcept { return is_saving_; }
 
 private:
     void make_parts();

@@ -6,10 +6,12 @@
 #include <QDir>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTableWidget>
+#include <QScrollBar>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,10 +22,8 @@
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
-#include "hmi/ui/icon.hpp"
 #include "hmi/ui/message_pane.hpp"
 #include "hmi/ui/tick_box.hpp"
-#include "hmi/ui/words.hpp"
 #include "shared/file/atomic_file.hpp"
 #include "shared/segment/layout.hpp"
 
@@ -31,7 +31,7 @@ namespace psicarve::ui {
 namespace {
 
 using session::Severity;
-enum Column { kTime, kKind, kAxes, kWhat, kRemedy, kColumns };
+using Kind = MessageFilter::Kind;
 constexpr int kMessagesPageTimeWidth = 100;
 constexpr int kMessagesPageKindWidth = 100;
 constexpr int kMessagesPageAxesWidth = 60;
@@ -40,32 +40,7 @@ constexpr int kLeastPaneHeight = 72;
 constexpr int kMostPaneHeight = 160;
 constexpr int kLeastTableHeight = 72;
 constexpr int kLeastSearchWidth = 90;
-
-Glyph glyph_of(Severity severity) {
-    if (severity == Severity::alarm) return Glyph::octagon;
-    return severity == Severity::warning ? Glyph::triangle : Glyph::info;
-}
-
-/// In the order of the box. A refused command is a warning, and a command, too.
-enum class Wanted : std::uint8_t { all, alarms, warnings, commands, information };
-
-Wanted kind_of(const session::Message& message) {
-    if (message.severity == Severity::alarm) return Wanted::alarms;
-    if (message.severity == Severity::warning) return Wanted::warnings;
-    return message.is_command ? Wanted::commands : Wanted::information;
-}
-
-bool is_known(const session::Message& message) {
-    return message.time != decltype(message.time){};
-}
-
-/// Of another day with the day, in as much room.
-QString short_time(const session::Message& message) {
-    if (!is_known(message)) return QStringLiteral("\u2013");
-    const QString day = local_time(message.time, "MM-dd");
-    const bool is_today = QDateTime::currentDateTime().toString("MM-dd") == day;
-    return local_time(message.time, is_today ? "HH:mm:ss.zzz" : "MM-dd HH:mm:ss");
-}
+constexpr int kRowHeight = 24;
 
 }  // namespace
 
@@ -73,43 +48,19 @@ MessagesPage::MessagesPage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
       context_(context),
       kinds_(new ChoiceBox),
+      spans_(new ChoiceBox),
       find_(new QLineEdit),
-      table_(new QTableWidget{0, kColumns}),
+      model_(context),
+      table_(new QTableView),
       pane_(new MessagePane{context}) {
     setObjectName("messages_page");
-    kinds_->addItems({tr("All"), tr("Alarms"), tr("Warnings"), tr("Commands"), tr("Information")});
-    kinds_->setObjectName("messages_kind");
-    kinds_->setAccessibleName(tr("Which messages are shown"));
-    connect(kinds_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
-    find_->setObjectName("messages_find");
-    find_->setPlaceholderText(tr("Search"));
-    find_->setAccessibleName(tr("Search the messages"));
-    find_->setClearButtonEnabled(true);
-    find_->setMinimumWidth(kLeastSearchWidth);
-    find_->setMaximumWidth(kSearchWidth);
-    connect(find_, &QLineEdit::textChanged, this, [this] { filter(); });
-    table_->setObjectName("messages");
-    table_->setHorizontalHeaderLabels(
-        {tr("Time"), tr("Kind"), tr("Axis"), tr("What happened"), tr("What to do")});
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(24);
-    table_->setColumnWidth(kTime, kMessagesPageTimeWidth);
-    table_->setColumnWidth(kKind, kMessagesPageKindWidth);
-    table_->setColumnWidth(kAxes, kMessagesPageAxesWidth);
-    table_->horizontalHeader()->setSectionResizeMode(kWhat, QHeaderView::Stretch);
-    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setShowGrid(false);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setTabKeyNavigation(false);
-    table_->setMinimumHeight(kLeastTableHeight);
-    pane_->setFixedHeight(kMostPaneHeight);
-    connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { show_selected(); });
+    make_head();
+    make_table();
     auto* head = new FlowLayout;
     head->setSpacing(kGap);
     head->addWidget(role_label("label", tr("Show")));
     head->addWidget(kinds_);
+    head->addWidget(spans_);
     head->addWidget(find_);
     head->addWidget(make_sound());
     head->add_end();
@@ -131,6 +82,46 @@ MessagesPage::MessagesPage(WindowContext& context, QWidget* parent)
     all->addWidget(pane_);
 }
 
+void MessagesPage::make_head() {
+    kinds_->addItems({tr("All"), tr("Alarms"), tr("Warnings"), tr("Commands"), tr("Information")});
+    kinds_->setObjectName("messages_kind");
+    kinds_->setAccessibleName(tr("Which messages are shown"));
+    connect(kinds_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
+    spans_->addItems({tr("All runs"), tr("Since the start")});
+    spans_->setObjectName("messages_span");
+    spans_->setAccessibleName(tr("Of which time messages are shown"));
+    spans_->setToolTip(
+        tr("All runs: also what the cores have written down before this window was opened, in grey"));
+    connect(spans_, &QComboBox::currentIndexChanged, this, [this] { filter(); });
+    find_->setObjectName("messages_find");
+    find_->setPlaceholderText(tr("Search"));
+    find_->setAccessibleName(tr("Search the messages"));
+    find_->setClearButtonEnabled(true);
+    find_->setMinimumWidth(kLeastSearchWidth);
+    find_->setMaximumWidth(kSearchWidth);
+    connect(find_, &QLineEdit::textChanged, this, [this] { filter(); });
+}
+
+void MessagesPage::make_table() {
+    table_->setObjectName("messages");
+    table_->setModel(&model_);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+    table_->setColumnWidth(MessageModel::kTime, kMessagesPageTimeWidth);
+    table_->setColumnWidth(MessageModel::kKind, kMessagesPageKindWidth);
+    table_->setColumnWidth(MessageModel::kAxes, kMessagesPageAxesWidth);
+    table_->horizontalHeader()->setSectionResizeMode(MessageModel::kWhat, QHeaderView::Stretch);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setShowGrid(false);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setTabKeyNavigation(false);
+    table_->setMinimumHeight(kLeastTableHeight);
+    pane_->setFixedHeight(kMostPaneHeight);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            [this] { note_choice(); });
+    connect(table_->verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { fit_rows(); });
+}
+
 QWidget* MessagesPage::make_sound() {
     auto* sound = new TickBox{tr("Sound at an alarm")};
     sound->setObjectName("alarm_sound");
@@ -143,34 +134,40 @@ QWidget* MessagesPage::make_sound() {
     return sound;
 }
 
-QString MessagesPage::name_of(const session::Message& message) {
-    if (message.severity == Severity::alarm) return tr("Alarm");
-    if (message.severity == Severity::warning) return tr("Warning");
-    return message.is_command ? tr("Command") : tr("Info");
+void MessagesPage::note_choice() {
+    const QModelIndexList selected = table_->selectionModel()->selectedRows();
+    chosen_.reset();
+    if (!selected.isEmpty()) chosen_ = model_.row(selected.front().row());
+    show_chosen();
 }
 
-/// Rows are the messages, newest first.
-void MessagesPage::show_selected() {
-    const QList<QTableWidgetItem*> selected = table_->selectedItems();
-    const auto& messages = context_.log.messages();
-    const auto fresh = static_cast<std::size_t>(context_.log.count() - shown_count_);  // without a row yet
-    const int row = selected.isEmpty() ? -1 : selected.front()->row();
-    const std::size_t from_newest = fresh + static_cast<std::size_t>(std::max(row, 0));
-    const bool is_one = row >= 0 && from_newest < messages.size() && !table_->isRowHidden(row);
-    const session::Message* const message = is_one ? &messages[messages.size() - 1 - from_newest] : nullptr;
-    pane_->show_message(message, message != nullptr ? name_of(*message) : QString{});
+void MessagesPage::show_chosen() {
+    const bool is_shown = chosen_ && model_.index_of(*chosen_) >= 0;
+    const session::Message* const message = is_shown ? model_.message_of(*chosen_) : nullptr;
+    pane_->show_message(message, message != nullptr ? MessageModel::name_of(*message) : QString{});
 }
 
-void MessagesPage::show_selected_row() {
-    const QList<QTableWidgetItem*> selected = table_->selectedItems();
-    if (!selected.isEmpty()) table_->scrollToItem(selected.front());
+/// All rows are others: the same message is chosen again.
+void MessagesPage::choose_again() {
+    const int row = chosen_ ? model_.index_of(*chosen_) : -1;
+    if (row >= 0) table_->selectRow(row);
+    show_chosen();
+    fit_rows();
+}
+
+/// Words are wrapped: of the rows that are seen, as there may be thousands.
+void MessagesPage::fit_rows() {
+    if (!isVisible()) return;
+    const int height_px = table_->viewport()->height();
+    for (int row = std::max(table_->rowAt(0), 0); row < model_.rowCount(); ++row) {
+        table_->resizeRowToContents(row);
+        if (table_->rowViewportPosition(row) > height_px) return;
+    }
 }
 
 void MessagesPage::set_theme(const Tokens& tokens) {
-    tokens_ = &tokens;
-    table_->setRowCount(0);
-    shown_count_ = 0;
-    refresh();
+    model_.set_theme(tokens);
+    choose_again();
 }
 
 void MessagesPage::choose_log() {
@@ -226,64 +223,31 @@ session::BackgroundQueue::Finish MessagesPage::told(const Result<void>& done,
 void MessagesPage::refresh() {
     queue_.deliver();
     pane_->refresh();
-    const auto& messages = context_.log.messages();
-    if (tokens_ == nullptr || shown_count_ == context_.log.count()) return;
-    const auto fresh = static_cast<std::size_t>(context_.log.count() - shown_count_);
-    shown_count_ = context_.log.count();
-    for (std::size_t i = messages.size() - std::min(fresh, messages.size()); i < messages.size(); ++i)
-        add(messages[i]);
-    table_->setRowCount(std::min(table_->rowCount(), static_cast<int>(session::MessageLog::kMost)));
-    filter();
+    if (model_.refresh()) choose_again();
 }
 
-void MessagesPage::add(const session::Message& message) {
-    const bool is_alarm = message.severity == Severity::alarm;
-    const QColor colour = is_alarm                                ? tokens_->alarm
-                          : message.severity == Severity::warning ? tokens_->warn
-                                                                  : tokens_->text2;
-    table_->insertRow(0);
-    const QString texts[kColumns] = {short_time(message), name_of(message),
-                                     message.axes.empty() ? tr("–") : QString::fromStdString(message.axes),
-                                     words(message.what), words(message.remedy)};
-    for (int column = 0; column < kColumns; ++column) {
-        auto* item = new QTableWidgetItem{texts[column]};
-        item->setToolTip(column == kTime && is_known(message)
-                             ? local_time(message.time, "yyyy-MM-dd HH:mm:ss.zzz")
-                             : plain_tip(texts[column]));
-        if (is_alarm) item->setBackground(tokens_->alarm_ground);
-        if (column == kKind) {
-            item->setForeground(colour);
-            item->setIcon(glyph_icon(glyph_of(message.severity), colour, colour));
-            item->setData(Qt::UserRole, static_cast<int>(kind_of(message)));
-            item->setData(Qt::UserRole + 1, message.is_command);
-        }
-        table_->setItem(0, column, item);
-    }
-    table_->resizeRowToContents(0);
+bool MessagesPage::is_quiet() const {
+    return queue_.is_idle() && !pane_->is_saving();
 }
 
 void MessagesPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    table_->setColumnWidth(kRemedy, table_->width() / 4);
-    table_->resizeRowsToContents();  // words are wrapped
+    table_->setColumnWidth(MessageModel::kRemedy, table_->width() / 4);
     pane_->setFixedHeight(std::clamp(height() / 3, kLeastPaneHeight, kMostPaneHeight));
-    show_selected_row();
+    fit_rows();
+    if (chosen_ && model_.index_of(*chosen_) >= 0)
+        table_->scrollTo(model_.index(model_.index_of(*chosen_), MessageModel::kTime));
+}
+
+void MessagesPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    fit_rows();
 }
 
 void MessagesPage::filter() {
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        const QTableWidgetItem& kind = *table_->item(row, kKind);
-        const auto wanted = static_cast<Wanted>(kinds_->currentIndex());
-        const bool is_wanted = wanted == Wanted::all ||
-                               kind.data(Qt::UserRole).toInt() == kinds_->currentIndex() ||
-                               (wanted == Wanted::commands && kind.data(Qt::UserRole + 1).toBool());
-        const auto holds = [&](Column column) {
-            return table_->item(row, column)->text().contains(find_->text(), Qt::CaseInsensitive);
-        };
-        const bool is_found = holds(kAxes) || holds(kWhat) || holds(kRemedy);
-        table_->setRowHidden(row, !is_wanted || !is_found);
-    }
-    show_selected();
+    model_.set_filter(
+        {static_cast<Kind>(kinds_->currentIndex()), spans_->currentIndex() == 0, find_->text()});
+    choose_again();
 }
 
 }  // namespace psicarve::ui

@@ -4,20 +4,23 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+#include <optional>
+
 #include "hmi/session/background_queue.hpp"
+#include "hmi/ui/message_model.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "hmi/ui/window_context.hpp"
 #include "shared/base/result.hpp"
 
 class QComboBox;
 class QLineEdit;
-class QTableWidget;
+class QTableView;
 
 namespace psicarve::ui {
 
 class MessagePane;
 
-/// What happened since the window was opened, newest first, and the alarms before that.
+/// What happened, newest first: since the window was opened, and before that by the journals of the cores.
 class MessagesPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MessagesPage)
 public:
@@ -25,6 +28,8 @@ public:
 
     void set_theme(const Tokens& tokens);
     void refresh();
+    /// It saves nothing.
+    bool is_quiet() const;
     /// All messages of this window, as text.
     void save_log(const QString& path);
     /// Profile, log, snapshot and versions, in a new folder below this one.
@@ -32,6 +37,7 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     QWidget* make_sound();
@@ -39,18 +45,21 @@ private:
     void choose_bundle();
     session::BackgroundQueue::Finish told(const Result<void>& done, const session::Phrase& success);
 
-    void add(const session::Message& message);
+    void make_head();
+    void make_table();
     void filter();
-    void show_selected();
-    void show_selected_row();
-    static QString name_of(const session::Message& message);
+    void choose_again();
+    void note_choice();
+    void show_chosen();
+    void fit_rows();
 
     WindowContext& context_;
-    const Tokens* tokens_ = nullptr;
-    std::uint64_t shown_count_ = 0;
     QComboBox* kinds_;
+    QComboBox* spans_;
     QLineEdit* find_;
-    QTableWidget* table_;
+    MessageModel model_;
+    QTableView* table_;
+    std::optional<MessageModel::Row> chosen_;  ///< also while the filter hides it
     MessagePane* pane_;
     session::BackgroundQueue queue_;  // last: its tasks use the others
 };

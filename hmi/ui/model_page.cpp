@@ -35,8 +35,6 @@
 namespace psicarve::ui {
 namespace {
 
-using session::OpenJobState;
-
 constexpr int kFormWidth = PassView::kWidth_px;
 constexpr int kLeastForBoth = 480;
 constexpr int kLeastFieldsHeight = 120;
@@ -150,15 +148,20 @@ QWidget* ModelPage::make_form() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(role_label("head", tr("Placement and slicing")));
     column->addWidget(rule());
-    form_ =
-        new ModelForm{[this] { look(); },
-                      [this] { context_.open_job.reshape(form_->flat_options(context_.machine_profile())); }};
-    turn_ = new TurnForm{[this] { turn_model(); },
+    form_ = new ModelForm{[this] { look(); },
+                          [this] {
+                              if (!is_taking_)
+                                  context_.open_job.reshape(form_->flat_options(context_.machine_profile()));
+                          }};
+    turn_ = new TurnForm{[this] {
+                             if (!is_taking_) turn_model();
+                         },
                          [this] {
                              form_->set_fits(turn_->fits());
                              look();
                          }};
     auto* fields = new QWidget;
+    fields_ = fields;
     auto* rows = new QVBoxLayout{fields};
     field_rows_ = rows;
     rows->setContentsMargins(0, 0, kSmallGap, 0);
@@ -199,59 +202,6 @@ void ModelPage::watch_fields(QWidget& fields) {
         connect(number, &QDoubleSpinBox::valueChanged, this, note);
 }
 
-void ModelPage::slice() {
-    sliced_changes_ = changes_;
-    context_.open_job.slice(options(), form_->profile_for(context_.machine_profile()));
-}
-
-void ModelPage::take_remedy(const session::Remedy& remedy) {
-    // Where the window goes by the core's already there is nothing to take.
-    const bool has_another = context_.knows_core_profile() && !context_.machine.view().unused_profile.empty();
-    if (remedy.kind == session::Remedy::Kind::core_profile && has_another) context_.take_core_profile();
-    form_->take(remedy);
-    slice();
-}
-
-session::TableWay ModelPage::table_way() const {
-    return {form_->profile_for(context_.machine_profile()), form_->options().joining};
-}
-
-/// As both forms have it.
-cam::JobOptions ModelPage::options() const {
-    cam::JobOptions options = form_->options();
-    if (!turn_->fits()) return options;
-    options.fits = true;
-    options.height_mm.reset();
-    options.scale.reset();
-    return options;
-}
-
-void ModelPage::turn_model() {
-    context_.open_job.turn(turn_->turn());
-}
-
-/// What is to be as large as fits has to fit another blank, too.
-void ModelPage::refit() {
-    const BlankProfile blank = form_->profile_for(context_.machine_profile()).blank;
-    if (blank == std::exchange(fitted_blank_, blank) || !turn_->fits()) return;
-    look();
-}
-
-/// Grooves are as wide as the machine's tool: with another one the drawing is cut anew.
-void ModelPage::keep_engraving_cut() {
-    if (context_.open_job.kind() != flat::ModelKind::drawing || !form_->is_engraved()) return;
-    const flat::FlatOptions wanted = form_->flat_options(context_.machine_profile());
-    if (flat::flat_options_json(wanted) != flat::flat_options_json(context_.open_job.shape()))
-        context_.open_job.reshape(wanted);
-}
-
-/// As the form has it.
-void ModelPage::reload() {
-    if (context_.open_job.kind() == flat::ModelKind::mesh)
-        return context_.open_job.open(context_.open_job.path());
-    context_.open_job.reshape(form_->flat_options(context_.machine_profile()));
-}
-
 /// What the form says about the placement is seen at once; what cannot be reached, when it is found out.
 void ModelPage::look() {
     const auto scene = context_.open_job.scene();
@@ -282,6 +232,7 @@ void ModelPage::set_theme(const Tokens& tokens) {
 }
 
 void ModelPage::refresh() {
+    if (is_taking_) return;
     form_->show_passes(context_.machine_profile());
     slicing_->refresh(is_stale());
     show_new_refusal();
@@ -318,24 +269,6 @@ void ModelPage::show_facts() {
          session::mesh_lines(*context_.open_job.mesh(), slice::placed(form_->options().up, scene->size)))
         lines += words(line);
     size_->setText(lines.join('\n'));
-}
-
-void ModelPage::show_opened() {
-    const auto scene = context_.open_job.scene();
-    const bool is_other = opened_path_ != context_.open_job.path();
-    if (scene == opened_ && !is_other) return;
-    opened_ = scene;
-    if (is_other) {
-        opened_path_ = context_.open_job.path();
-        piece_->choose_model();
-        blank_warnings_.clear();
-        turn_->begin_anew();
-        form_->set_fits(false);
-        form_->set_table(context_.open_job.table_way().has_value());
-        form_->begin(context_.open_job.kind(), context_.open_job.shape().engraving.has_value());
-    }
-    view_->fit();
-    look();
 }
 
 void ModelPage::show_view() {
@@ -383,15 +316,6 @@ void ModelPage::show_warnings() {
     add(blank_warnings_);
     warning_count_ = all.size();
     warnings_->show_warnings(std::move(all));
-}
-
-bool ModelPage::is_stale() const {
-    const session::OpenJobView& job_view = context_.open_job.view();
-    if (job_view.state != OpenJobState::job && job_view.state != OpenJobState::published) return false;
-    const bool is_taken_over = context_.open_job.is_taken_over();
-    // A table becomes a job without anybody's asking, too.
-    if (const auto& way = context_.open_job.table_way()) return is_taken_over || !way->is_as(table_way());
-    return context_.open_job.mesh() && (is_taken_over || changes_ != sliced_changes_);
 }
 
 }  // namespace psicarve::ui

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QPointer>
+#include <QVariantMap>
 #include <QWidget>
 
 #include <functional>
@@ -39,6 +40,19 @@ public:
     void set_theme(const Tokens& tokens);
     void refresh();
     void slice();
+    /// The form for what is on the desk, and whether its job is as the form has it.
+    struct Work {
+        QVariantMap fields;
+        std::string path;
+        BlankProfile fitted_blank;
+        std::uint64_t changes = 0;
+        std::uint64_t sliced_changes = 0;
+    };
+    Work work() const;
+    /// Until take_work(): what is on the desk stays as it is, whatever the fields say.
+    void await_work() noexcept { is_taking_ = true; }
+    /// Goes on with that of a page before this one, which is gone.
+    void take_work(const Work& kept);
     /// The window goes in order: nothing is to be taken up again.
     void forget_work();
     /// What was noticed about model and job.
@@ -97,6 +111,8 @@ private:
     QBoxLayout* sides_ = nullptr;
     QWidget* whole_form_ = nullptr;
     FieldsRoom* room_ = nullptr;
+    QWidget* fields_ = nullptr;  ///< in that room
+    bool is_taking_ = false;     ///< fields are filled in that say what is so already
     QVBoxLayout* field_rows_ = nullptr;
     bool is_refusal_seen_ = false;
     PiecePanel* piece_ = nullptr;

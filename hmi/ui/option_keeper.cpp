@@ -44,6 +44,7 @@ constexpr const char* kKeptFields[] = {
     "stepover",
     "colouring",
     "messages_kind",
+    "messages_span",
     "alarm_sound",
     "latency_seconds",
     "latency_period",

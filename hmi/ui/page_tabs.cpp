@@ -109,16 +109,20 @@ void PageTabs::refresh() {
     show_badges();
 }
 
+bool PageTabs::is_quiet() const {
+    return messages_->is_quiet() && realtime_->is_quiet();
+}
+
 void PageTabs::refresh_entries() {
     entries_->refresh();
 }
 
 void PageTabs::show_badges() {
-    if (messages_->isVisible()) read_messages_ = context_.log.count();
+    if (messages_->isVisible()) context_.read_messages = context_.log.count();
     std::size_t unread = 0;
     BadgeTone tone = BadgeTone::warning;
     const auto& all = context_.log.messages();
-    const auto fresh = std::min<std::uint64_t>(context_.log.count() - read_messages_, all.size());
+    const auto fresh = std::min<std::uint64_t>(context_.log.count() - context_.read_messages, all.size());
     for (auto i = all.size() - fresh; i < all.size(); ++i) {
         if (all[i].is_from_before) continue;
         unread += all[i].severity != session::Severity::info ? 1 : 0;

@@ -46,6 +46,8 @@ public:
     /// But for the entries, whose recording is looked at first.
     void refresh();
     void refresh_entries();
+    /// No thread of theirs has anything to tell them.
+    bool is_quiet() const;
 
 private:
     void add(QWidget* page, const QString& name);
@@ -62,7 +64,6 @@ private:
     EntriesPage* entries_;
     QStackedWidget* messages_or_entries_;
     ProfilePage* profile_;
-    std::uint64_t read_messages_ = 0;  ///< that somebody had the page open for
 };
 
 }  // namespace psicarve::ui

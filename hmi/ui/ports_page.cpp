@@ -37,6 +37,7 @@ PortsPage::PortsPage(WindowContext& context, QWidget* parent)
       note_(role_label("small")),
       wiring_(new WiringBar{context}) {
     setObjectName("ports_page");
+    core_pid_ = context.machine.view().core_pid;
     table_->setObjectName("pins");
     table_->setHorizontalHeaderLabels({tr("Pin"), tr("Signal"), tr("Register bit"), {}, tr("Level")});
     table_->verticalHeader()->hide();
@@ -189,9 +190,10 @@ void PortsPage::let_go() {
 
 void PortsPage::note_live_levels() {
     const auto& view = context_.machine.view();
-    if (view.core_pid != core_pid_) history_.forget();
+    if (view.core_pid != core_pid_) context_.levels.forget();
     core_pid_ = view.core_pid;
-    if (view.status && view.is_heard()) history_.note(*view.status, session::LevelHistory::Clock::now());
+    if (view.status && view.is_heard())
+        context_.levels.note(*view.status, session::LevelHistory::Clock::now());
 }
 
 void PortsPage::show_recording() {
@@ -228,7 +230,7 @@ void PortsPage::refresh() {
     fit_rows();
     note_->setVisible(!wiring_->is_armed());
     show_levels(view.status ? view.status->signals : 0);
-    timing_->show_history(history_, session::LevelHistory::Clock::now());
+    timing_->show_history(context_.levels, session::LevelHistory::Clock::now());
     const QString note =
         !view.is_heard() ? tr("No core: these are the last levels known.")
         : knows_pins

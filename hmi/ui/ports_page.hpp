@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "hmi/profile/pin_rows.hpp"
-#include "hmi/session/level_history.hpp"
 #include "hmi/ui/tokens.hpp"
 #include "hmi/ui/window_context.hpp"
 
@@ -52,7 +51,6 @@ private:
     std::optional<Profile> profile_;
     std::vector<session::PinRow> rows_;
     std::optional<SignalWord> shown_levels_;
-    session::LevelHistory history_;
     std::uint32_t core_pid_ = 0;
     int row_height_px_ = 0;
     ConnectorView* connector_;

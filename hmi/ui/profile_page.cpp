@@ -38,11 +38,7 @@ QPushButton* push_button(const char* name, const QString& text) {
 }  // namespace
 
 ProfilePage::ProfilePage(WindowContext& context, QWidget* parent)
-    : QWidget(parent),
-      context_(context),
-      desk_(context.saves),
-      list_(new QListWidget),
-      area_(new QScrollArea) {
+    : QWidget(parent), context_(context), list_(new QListWidget), area_(new QScrollArea) {
     setObjectName("profile_page");
     list_->setObjectName("profile_groups");
     list_->setAccessibleName(tr("Parts of the profile"));
@@ -132,7 +128,7 @@ QWidget* ProfilePage::make_foot() {
     save_ = push_button("profile_save", tr("Save"));
     make_menus();
     connect(undo_, &QPushButton::clicked, this, [this] {
-        desk_.undo_all();
+        context_.profile_desk.undo_all();
         show_changed();
     });
     connect(save_as_, &QPushButton::clicked, this, [this] { ask_save_as(); });
@@ -242,7 +238,7 @@ void ProfilePage::show_rows() {
 }
 
 void ProfilePage::type(std::size_t key, const QString& text) {
-    desk_.type(key, text.toStdString());
+    context_.profile_desk.type(key, text.toStdString());
     show_state();
 }
 
@@ -264,7 +260,7 @@ QString ProfilePage::lock() const {
 }
 
 void ProfilePage::refresh() {
-    desk_.poll();
+    context_.profile_desk.poll();
     look_at_core();
     if (calibration_ != nullptr) calibration_->poll();
     if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
@@ -277,7 +273,8 @@ void ProfilePage::show_locks() {
     const QString busy = under_way ? words(*under_way) : QString{};
     const bool has_file = !draft().path().empty();
     const bool is_changed = draft().changed_count() > 0;
-    if (area_->isEnabled() == desk_.takes_values()) area_->setEnabled(!desk_.takes_values());
+    if (area_->isEnabled() == context_.profile_desk.takes_values())
+        area_->setEnabled(!context_.profile_desk.takes_values());
     lock_with(*open_, busy);
     lock_with(*save_as_, reason);
     lock_with(*save_, !reason.isEmpty() ? reason

@@ -49,7 +49,7 @@ public:
     bool may_lose_changes();
     /// Which of the files that its menus offer are there.
     void look_for_files();
-    const profile::ProfileDraft& draft() const noexcept { return desk_.draft(); }
+    const profile::ProfileDraft& draft() const noexcept { return context_.profile_desk.draft(); }
     std::size_t problem_count() const { return draft().problem_count(); }
 
 protected:
@@ -99,7 +99,6 @@ private:
 
     WindowContext& context_;
     const Tokens* tokens_ = nullptr;
-    session::ProfileFiles desk_;
     std::vector<Group> groups_;
     std::vector<std::string> core_values_;  ///< of profile_keys(), of the core that runs; empty: not known
     std::uint64_t core_hash_ = 0;           ///< of the profile that they are of

@@ -35,7 +35,7 @@ void ProfilePage::make_menus() {
             },
             [this] {
                 if (!may_lose_changes() || is_kept(busy_text())) return;
-                desk_.show({});
+                context_.profile_desk.show({});
                 show_other();
             });
     });
@@ -45,7 +45,7 @@ void ProfilePage::make_menus() {
     connect(backups, &QMenu::aboutToShow, this, [this, backups] {
         fill_backup_menu(*backups, draft().path(), context_.presence, [this](const std::string& backup) {
             if (is_kept(busy_text())) return;
-            desk_.take_backup(backup, [this](const Result<void>& taken) {
+            context_.profile_desk.take_backup(backup, [this](const Result<void>& taken) {
                 if (!taken) report(taken);
                 show_changed();
             });
@@ -73,7 +73,7 @@ void ProfilePage::look_for_files() {
 
 /// What keeps the page from anything that would get in the way of it.
 std::optional<session::Phrase> ProfilePage::busy_lock() const {
-    if (const auto busy = desk_.lock()) return busy;
+    if (const auto busy = context_.profile_desk.lock()) return busy;
     return calibration_ != nullptr ? calibration_->file_lock() : std::nullopt;
 }
 
@@ -90,7 +90,7 @@ bool ProfilePage::is_kept(const QString& reason) {
 
 void ProfilePage::open(const QString& path) {
     if (is_kept(busy_text())) return;
-    desk_.open(path.toStdString(), [this, path](const Result<void>& opened) {
+    context_.profile_desk.open(path.toStdString(), [this, path](const Result<void>& opened) {
         if (opened) WindowSettings{*context_.settings}.add_recent_profile(path);
         show_opened(opened);
     });
@@ -99,7 +99,7 @@ void ProfilePage::open(const QString& path) {
 
 /// By the calibration, which keeps this page's files alone while it has its own.
 void ProfilePage::open_again() {
-    desk_.open_again([this](const Result<void>& opened) { show_opened(opened); });
+    context_.profile_desk.open_again([this](const Result<void>& opened) { show_opened(opened); });
     show_state();
 }
 
@@ -152,13 +152,13 @@ bool ProfilePage::may_save(const std::vector<session::DifferenceRow>& changes) {
 
 void ProfilePage::save() {
     if (is_kept(lock())) return;
-    desk_.save([this](const Result<void>& saved) { report(saved); });
+    context_.profile_desk.save([this](const Result<void>& saved) { report(saved); });
     show_state();
 }
 
 void ProfilePage::save_as(const QString& path) {
     if (is_kept(lock())) return;
-    desk_.save_as(path.toStdString(), [this, path](const Result<void>& saved) {
+    context_.profile_desk.save_as(path.toStdString(), [this, path](const Result<void>& saved) {
         if (saved) WindowSettings{*context_.settings}.add_recent_profile(path);
         report(saved);
     });
@@ -171,7 +171,7 @@ void ProfilePage::calibrate() {
     if (calibration_ == nullptr) {
         calibration_ = new CalibrationDialog{
             context_,
-            {.lock = [this] { return desk_.lock(); }, .written = [this] { open_again(); }},
+            {.lock = [this] { return context_.profile_desk.lock(); }, .written = [this] { open_again(); }},
             window()};
     }
     calibration_->open_for(draft().path());
@@ -179,7 +179,7 @@ void ProfilePage::calibrate() {
 }
 
 bool ProfilePage::is_saving() const {
-    return desk_.is_saving() || (calibration_ != nullptr && calibration_->is_saving());
+    return context_.profile_desk.is_saving() || (calibration_ != nullptr && calibration_->is_saving());
 }
 
 bool ProfilePage::may_lose_changes() {

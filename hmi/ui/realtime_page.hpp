@@ -35,6 +35,8 @@ public:
     void refresh();
     /// Looks at this computer anew, and shows what was found.
     void check_computer();
+    /// It does not look at the computer just now.
+    bool is_quiet() const { return queue_.is_idle(); }
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -11,14 +11,20 @@
 #include "hmi/phrase/error_phrase.hpp"
 #include "hmi/replay/replay_session.hpp"
 #include "hmi/session/alarm_bell.hpp"
+#include "hmi/session/carving_watch.hpp"
 #include "hmi/session/file_presence.hpp"
 #include "hmi/session/file_saver.hpp"
+#include "hmi/session/journal_history.hpp"
+#include "hmi/session/latency_trial.hpp"
+#include "hmi/session/layer_cursor.hpp"
+#include "hmi/session/level_history.hpp"
 #include "hmi/session/log_file.hpp"
 #include "hmi/session/machine_session.hpp"
 #include "hmi/session/message_log.hpp"
 #include "hmi/session/open_job.hpp"
 #include "hmi/session/pending_saves.hpp"
 #include "hmi/session/pin_recorder.hpp"
+#include "hmi/session/profile_files.hpp"
 #include "hmi/session/run_watch.hpp"
 #include "hmi/session/time_estimator.hpp"
 #include "hmi/session/trace_judge.hpp"
@@ -36,6 +42,7 @@ struct WindowContext {
           machine(options, log),
           open_job(options.segment_name, options.group, log),
           keeper(session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")), saves),
+          history(options.segment_name, options.state_folder),
           replay(log),
           pins(options.segment_name, options.group, log, saves),
           judge(log),
@@ -64,12 +71,20 @@ struct WindowContext {
     session::OpenJob open_job;
     session::RunWatch runs;
     session::LogKeeper keeper;
+    session::JournalHistory history;
     replay::ReplaySession replay;
     session::PinRecorder pins;
     session::TraceJudge judge;
     session::FileSaver files;
     session::FilePresence presence;  ///< of what menus offer
     session::TimeEstimator estimate{log};
+    // What is shown by views that are made anew when the language changes, and outlives them.
+    session::CarvingWatch carving{machine, open_job};
+    session::ProfileFiles profile_desk{saves};
+    session::LatencyTrial latency{log};
+    session::LevelHistory levels;
+    session::LayerCursor layer_cursor;
+    std::uint64_t read_messages = 0;                        ///< that somebody had the page open for
     session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
 
     /// The core's, else the one that the window was started with, else the built-in one.
@@ -122,6 +137,7 @@ struct WindowContext {
     /// A look at the machine and at what is under way.
     void poll() {
         machine.poll();
+        history.poll(log);
         bell.poll(log);
         open_job.poll(machine.view());
         runs.note(machine.view(), session::RunWatch::Clock::now());

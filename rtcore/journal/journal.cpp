@@ -10,7 +10,6 @@
 
 #include "rtcore/journal/journal_facts.hpp"
 #include "shared/machine/machine_state.hpp"
-#include "shared/wording/wording.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -135,7 +134,7 @@ void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, cons
     if (!may_put(JournalKind::command)) return;
     JournalFacts facts = facts_of_command(received);
     facts.add("answer", std::string_view{kind == AnswerKind::done ? "done" : "refused"});
-    if (!why.is_none()) facts.add("reason", in_words(why)).add("message", name_of(why.id));
+    add_reason(facts, why);
     const bool is_known = static_cast<std::uint32_t>(received.command.kind) < kCommandKindCount;
     put_always(JournalKind::command,
                is_known ? std::string{name_of(received.command.kind)} : std::string{"unknown"}, tick,
@@ -148,7 +147,7 @@ void Journal::note_job(const LoadedJob& job, std::uint64_t tick) {
 
 void Journal::note_refused_job(const Message& why, std::uint64_t tick) {
     JournalFacts facts;
-    facts.add("reason", in_words(why)).add("message", name_of(why.id));
+    add_reason(facts, why);
     put(JournalKind::job, "refused", tick, std::move(facts));
 }
 

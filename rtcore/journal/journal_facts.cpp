@@ -10,9 +10,12 @@
 #include <cstdio>
 #include <string>
 
+#include "shared/base/message_text.hpp"
 #include "shared/file/partial_file.hpp"
 #include "shared/machine/machine_state.hpp"
 #include "shared/machine/signal.hpp"
+#include "shared/wording/message_record.hpp"
+#include "shared/wording/wording.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -77,6 +80,15 @@ void add_progress(JournalFacts& facts, const cycle::Sample& sample) {
         .add("point", std::int64_t{sample.point})
         .add("points_done", signed_of(sample.points_done))
         .add("points_total", signed_of(sample.points_total));
+}
+
+void add_reason(JournalFacts& facts, const Message& why) {
+    if (why.is_none()) return;
+    facts.add("reason", in_words(why)).add("message", name_of(why.id));
+    const std::string arguments = arguments_text(why);
+    if (!arguments.empty()) facts.add("arguments", arguments);
+    const std::string text = text_of(why);
+    if (!text.empty()) facts.add("text", text);
 }
 
 JournalFacts facts_of_alarm(const cycle::Report& report) {

@@ -88,6 +88,31 @@ TEST_F(SessionOnCore, JogsWhileTheHandIsThere) {
     ASSERT_TRUE(comes_true([&] { return session_->view().status->move_end != MoveEnd::none; }));
 }
 
+// The core limits the speed, and says so once, however often the key is pressed.
+TEST_F(SessionOnCore, TellsThatAJogIsSlowerThanAskedFor) {
+    start_core();
+    open_session();
+    ASSERT_TRUE(comes_true([&] { return session_->view().is_heard(); }));
+    home_session();
+    const auto told = [&] {
+        const std::string all = all_messages();
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = all.find("By hand: Y goes at", at)) != std::string::npos; ++at)
+            ++count;
+        return count;
+    };
+    for (int press = 1; press <= 2; ++press) {
+        const auto from = session_->view().status->position_pulses[index_of(Axis::y)];
+        session_->jog().step(Axis::y, 1.0, 5'000.0);
+        ASSERT_TRUE(comes_true([&] {
+            return session_->view().status->position_pulses[index_of(Axis::y)] == from + 400 &&
+                   session_->view().state() == S::ready;
+        })) << all_messages();
+        ASSERT_TRUE(comes_true([&] { return told() > 0; })) << all_messages();
+    }
+    EXPECT_EQ(told(), 1U) << all_messages();
+}
+
 TEST_F(SessionOnCore, SaysThatTheCoreIsGoneAndFindsTheNext) {
     open_session();
     ASSERT_TRUE(comes_true([&] { return session_->view().life == CoreLife::none; }));

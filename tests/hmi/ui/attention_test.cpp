@@ -152,13 +152,14 @@ TEST_F(Attention, TellsOnceOfEachAlarmOfTheTimeBeforeTheWindow) {
         ASSERT_TRUE(comes_true([&] { return !machine_view().is_heard(); }));
         core_->send_signal(SIGCONT);
         ASSERT_TRUE(comes_true([&] { return all_messages().contains("heard again"); }));
-        const auto& messages = part<QTableWidget>("messages");
+        const QAbstractItemModel& messages = *part<QTableView>("messages").model();
+        const auto cell = [&](int row, int column) { return messages.index(row, column).data().toString(); };
         int told = 0;
         for (int row = 0; row < messages.rowCount(); ++row) {
-            if (messages.item(row, 3)->text() != "Before this window was there: Emergency stop") continue;
+            if (cell(row, 3) != "Before this window was there: Emergency stop") continue;
             ++told;
-            EXPECT_EQ(messages.item(row, 1)->text(), "Alarm");
-            EXPECT_EQ(messages.item(row, 4)->text(), "Reset alarm");
+            EXPECT_EQ(cell(row, 1), "Alarm");
+            EXPECT_EQ(cell(row, 4), "Reset alarm");
         }
         EXPECT_EQ(told, 2) << all_messages().toStdString();
     }

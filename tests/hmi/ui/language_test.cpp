@@ -349,6 +349,9 @@ TEST_P(Languages, HaveTheCoresWords) {
     const QString said = words(refusal);
     for (const char* english : {"Hold", "not while", "ready", "start first"})
         EXPECT_FALSE(said.contains(english)) << said.toStdString();
+    if (GetParam() == Language::chinese) {
+        EXPECT_TRUE(said.contains(QStringLiteral("：")) && !said.contains(':')) << said.toStdString();
+    }
     EXPECT_FALSE(words(session::error_phrase("a.stl: no such file")).contains("no such file"));
 }
 
@@ -367,13 +370,14 @@ class LanguageMenu : public WindowRig {};
 
 TEST_F(LanguageMenu, IsRemembered) {
     open_window();
-    auto* const menu = window_->findChild<QMenu*>("languages");
-    ASSERT_NE(menu, nullptr);
-    ASSERT_EQ(menu->actions().size(), 4);
-    EXPECT_TRUE(menu->actions().front()->isChecked());
-    menu->actions().back()->trigger();
+    // Made anew with each language.
+    const auto entries = [this] { return part<QMenu>("languages").actions(); };
+    ASSERT_EQ(entries().size(), 4);
+    EXPECT_TRUE(entries().front()->isChecked());
+    entries().back()->trigger();
     EXPECT_TRUE(comes_true([] { return test::KeptSettings{}.language() == Language::russian; }));
-    menu->actions().front()->trigger();
+    EXPECT_TRUE(comes_true([] { return used_language() == Language::russian; }));
+    entries().front()->trigger();
     EXPECT_TRUE(comes_true([] { return test::KeptSettings{}.language() == std::nullopt; }));
 }
 

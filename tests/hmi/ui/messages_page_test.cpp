@@ -5,9 +5,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QTableWidget>
+#include <QTableView>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "hmi/replay/entry.hpp"
+#include "shared/record/journal_file.hpp"
 #include "tests/hmi/ui/pages_rig.hpp"
 
 namespace psicarve::ui {
@@ -17,18 +22,17 @@ using S = MachineState;
 
 class MessagesPageOf : public test::PagesRig {
 protected:
-    QTableWidget& table() { return part<QTableWidget>("messages"); }
+    QTableView& table() { return part<QTableView>("messages"); }
+    QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
     QStringList shown() {
         window_->refresh();
         QStringList texts;
-        for (int row = 0; row < table().rowCount(); ++row) {
-            if (!table().isRowHidden(row)) texts += table().item(row, 3)->text();
-        }
+        for (int row = 0; row < table().model()->rowCount(); ++row) texts += cell(row, 3);
         return texts;
     }
     bool select(const QString& what) {
-        for (int row = 0; row < table().rowCount(); ++row) {
-            if (table().item(row, 3)->text() != what) continue;
+        for (int row = 0; row < table().model()->rowCount(); ++row) {
+            if (cell(row, 3) != what) continue;
             table().selectRow(row);
             return true;
         }
@@ -51,6 +55,105 @@ protected:
         show_page("messages_page");
     }
 };
+
+/// Written down by a core of long ago, on the simulator.
+class HistoryPageOf : public MessagesPageOf {
+protected:
+    HistoryPageOf() { qputenv("PSICARVE_STATE", QByteArray::fromStdString(journals())); }
+    ~HistoryPageOf() override { qputenv("PSICARVE_STATE", ""); }
+    std::string journals() const { return file("journals"); }
+    void write_down(JournalKind kind, const std::string& what, const JournalFacts& facts) {
+        JournalRecord record;
+        record.sequence = ++sequence_;
+        record.run = 3;
+        record.time_ms = 1'606'000'000'000 + static_cast<std::int64_t>(sequence_) * 1000;
+        record.kind = kind;
+        record.what = what;
+        record.facts = facts;
+        std::filesystem::create_directories(journals());
+        const JournalFiles files{StateNames{journals(), segment_name_, true}};
+        std::ofstream{files.newer, std::ios::app} << journal_line(record);
+    }
+    bool is_history_read() {
+        return comes_true([&] { return window_->context().history.is_read(); });
+    }
+
+private:
+    std::uint64_t sequence_ = 0;
+};
+
+TEST_F(HistoryPageOf, IsBelowWhatThisWindowHasSeenInItsOwnWords) {
+    write_down(JournalKind::alarm, "limit", JournalFacts{}.add("axis", "r2").add("layer", 4).add("point", 7));
+    write_down(
+        JournalKind::command, "jog",
+        JournalFacts{}.add("answer", "refused").add("message", "not_homed").add("reason", "old words"));
+    open_window();
+    ASSERT_TRUE(is_history_read());
+    window_->context().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    show_page("messages_page");
+    const QStringList all = shown();
+    ASSERT_GE(all.size(), 3);
+    EXPECT_EQ(all.front(), "Opened vase.stl");
+    EXPECT_EQ(all[all.size() - 2], "Command: jog: the machine is not homed; home first");
+    EXPECT_EQ(all.back(), "Limit switch R2 closed (layer 5, point 8)");
+    EXPECT_TRUE(cell(static_cast<int>(all.size()) - 1, 0).startsWith("2020-11-2")) << "the year is told";
+    show_kind(1);
+    EXPECT_EQ(shown(), QStringList{"Limit switch R2 closed (layer 5, point 8)"});
+    ASSERT_TRUE(select("Limit switch R2 closed (layer 5, point 8)"));
+    EXPECT_TRUE(text_of("message_when").endsWith("journal of the simulator, run 3"))
+        << text_of("message_when").toStdString();
+    EXPECT_TRUE(text_of("message_cause").contains("Axis R2 stopped"));
+    EXPECT_FALSE(button("message_recorder").isEnabled());
+    show_kind(0);
+    part<QLineEdit>("messages_find").setText("JOG");
+    EXPECT_EQ(shown(), QStringList{"Command: jog: the machine is not homed; home first"});
+    part<QLineEdit>("messages_find").clear();
+    take_picture("messages_history_light");
+    part<QComboBox>("messages_span").setCurrentIndex(1);
+    EXPECT_FALSE(shown().contains("Limit switch R2 closed (layer 5, point 8)"));
+    EXPECT_TRUE(shown().contains("Opened vase.stl"));
+}
+
+TEST_F(HistoryPageOf, HasNoAlarmTwiceThatTheCoreStillTellsOf) {
+    start_core({"--state", journals()});
+    open_window();
+    ASSERT_TRUE(comes_to(S::off));
+    window_->emergency_stop();
+    ASSERT_TRUE(comes_to(S::alarm));
+    ASSERT_TRUE(click("reset_alarm"));
+    ASSERT_TRUE(comes_to(S::off));
+    const JournalFiles files{StateNames{journals(), segment_name_, true}};
+    ASSERT_TRUE(comes_true([&] {
+        const auto records = read_journal(files);
+        return records && std::ranges::any_of(*records, [](const JournalRecord& record) {
+                   return record.kind == JournalKind::command && record.what == "reset-alarm";
+               });
+    }));
+    open_window();
+    ASSERT_TRUE(comes_to(S::off));
+    ASSERT_TRUE(is_history_read());
+    ASSERT_GE(window_->context().history.messages().size(), 3U);
+    show_page("messages_page");
+    show_kind(1);
+    EXPECT_EQ(shown(), QStringList{"Before this window was there: Emergency stop"});
+    show_kind(0);
+    EXPECT_TRUE(shown().contains("Command: reset-alarm"));
+}
+
+// Seven thousand rows: each look at the machine stays short, as only rows that are seen are laid out.
+TEST_F(HistoryPageOf, OfThousandsIsThereToItsBound) {
+    for (int i = 0; i < 5'200; ++i) write_down(JournalKind::core, "end", JournalFacts{}.add("state", "off"));
+    open_window();
+    ASSERT_TRUE(is_history_read());
+    show_page("messages_page");
+    const auto count = static_cast<std::size_t>(shown().size());
+    EXPECT_EQ(window_->context().history.messages().size(), session::JournalHistory::kMost);
+    EXPECT_EQ(count, session::JournalHistory::kMost + window_->context().log.messages().size());
+    for (int i = 0; i < 2'100; ++i)
+        window_->context().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
+    EXPECT_EQ(static_cast<std::size_t>(shown().size()),
+              session::JournalHistory::kMost + session::MessageLog::kMost);
+}
 
 TEST_F(MessagesPageOf, AreChosenByTheirKind) {
     open_window();

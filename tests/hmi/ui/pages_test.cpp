@@ -57,12 +57,10 @@ TEST_F(Pages, MessagesAreFoundByTheirWords) {
     window_->context().log.add(session::Severity::info, session::phrase("Opened %1", "vase.stl"));
     window_->context().log.add(session::Severity::warning, session::phrase("Not saved: %1", "disk full"));
     show_page("messages_page");
-    auto* const table = window_->findChild<QTableWidget*>("messages");
+    const QAbstractItemModel& rows = *part<QTableView>("messages").model();
     const auto shown = [&] {
         QStringList texts;
-        for (int row = 0; row < table->rowCount(); ++row) {
-            if (!table->isRowHidden(row)) texts += table->item(row, 3)->text();
-        }
+        for (int row = 0; row < rows.rowCount(); ++row) texts += rows.index(row, 3).data().toString();
         return texts;
     };
     EXPECT_GE(shown().size(), 2);

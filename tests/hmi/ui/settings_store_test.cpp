@@ -219,6 +219,27 @@ TEST_F(WindowOnASleepingDisk, MovesNothingBelowAHandThatHasClicked) {
     EXPECT_TRUE(file.values().value("window/floats_jog").toBool()) << "the next time";
 }
 
+/// A title bar is the desktop's: of its clicks nothing comes to the window, but it moves and moves.
+TEST_F(WindowOnASleepingDisk, StaysWhereItIsBeingDrawnTo) {
+    open_window();
+    window_->resize(1190, 701);
+    SleepingFile file{{{"window/page", "ports"},
+                       {"window/geometry", window_->saveGeometry()},
+                       {"options/layers", kLateLayers}}};
+    open_on(file);
+    QPoint at = window_->pos();
+    for (int step = 0; step < 12; ++step) {
+        window_->move(at += QPoint{3, 2});
+        QApplication::processEvents();
+    }
+    const QSize size = window_->size();
+    ASSERT_NE(size, QSize(1190, 701));
+    ASSERT_TRUE(wakes(file));
+    EXPECT_EQ(window_->pos(), at);
+    EXPECT_EQ(window_->size(), size);
+    EXPECT_EQ(tabs().currentIndex(), 0);
+}
+
 TEST_F(WindowOnASleepingDisk, LeavesThePlaceThatNobodyHasSeen) {
     SleepingFile file{{{"window/geometry", QByteArray{"a place"}}, {"window/page", "ports"}}};
     open_on(file);

@@ -44,6 +44,7 @@ WindowRig::WindowRig() {
 
 WindowRig::~WindowRig() {
     if (!HasFailure()) expect_pressed_as_in_table(PressLog::instance());
+    use_language(Language::english);  // a window may have chosen another one
 }
 
 std::unique_ptr<SettingsStore> WindowRig::kept_settings() {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/cli/log_sources.hpp"
+#include "hmi/history/log_sources.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <iterator>
 #include <utility>
 
 #include "shared/file/state_place.hpp"
 
-namespace psicarve::cli {
+namespace psicarve::history {
 namespace {
 
 constexpr std::chrono::seconds kFirstPatience{5};
@@ -88,10 +87,4 @@ Error LogSources::nothing_found() const {
                      "; cores on the real clock keep one, others with --state FOLDER");
 }
 
-void sleep_unless_asked(std::chrono::milliseconds limit) {
-    const timespec time{0, static_cast<long>(limit.count()) * 1'000'000};
-    // A signal's handler is called in this thread, and ends the sleep.
-    static_cast<void>(nanosleep(&time, nullptr));
-}
-
-}  // namespace psicarve::cli
+}  // namespace psicarve::history

@@ -10,12 +10,18 @@
 #include <utility>
 #include <vector>
 
-#include "hmi/cli/log_text.hpp"
 #include "hmi/machine/loose_work.hpp"
 #include "shared/base/result.hpp"
+#include "shared/record/journal.hpp"
 #include "shared/record/journal_file.hpp"
 
-namespace psicarve::cli {
+namespace psicarve::history {
+
+/// A record of a machine's journal, with the kind of machine.
+struct LogEntry {
+    JournalRecord record;
+    bool is_simulator = false;
+};
 
 /// The journals of a segment, of the real machine and of a simulated one, from all folders in which cores
 /// keep them, merged: within each the order of its records, between them that of their times. Waits for a
@@ -59,7 +65,4 @@ private:
     std::vector<Error> errors_;
 };
 
-/// Sleeps; Ctrl-C ends it early.
-void sleep_unless_asked(std::chrono::milliseconds limit);
-
-}  // namespace psicarve::cli
+}  // namespace psicarve::history

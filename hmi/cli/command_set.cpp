@@ -113,6 +113,14 @@ Syntax& Syntax::input(const char* name, std::string& target, const char* help) {
     return *this;
 }
 
+Syntax& Syntax::stream(const char* name, std::string& target, const char* help) {
+    app_->add_option(name, target, std::string{help} + kReadsStandardInput)
+        ->required()
+        ->type_name("")
+        ->check(check_not_empty);
+    return *this;
+}
+
 Syntax& Syntax::optional_input(const char* name, std::string& target, const char* help) {
     app_->add_option(name, target, std::string{help} + kReadsStandardInput)
         ->type_name("")

@@ -61,6 +61,8 @@ public:
     /// of a file that can be read; not read for --help, nor after any other wrong usage.
     Syntax& input(const char* name, std::string& target, const char* help);
     Syntax& optional_input(const char* name, std::string& target, const char* help);
+    /// A file that is read as it comes: "-" stays "-", and the body reads standard input itself.
+    Syntax& stream(const char* name, std::string& target, const char* help);
     /// One or more of them.
     Syntax& inputs(const char* name, std::vector<std::string>& target, const char* help);
     /// May be left out.

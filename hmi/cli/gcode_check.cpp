@@ -6,16 +6,14 @@
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/gcode/canon_writer.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
-#include "hmi/model/source_name.hpp"
 
 namespace psicarve::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr CommandText kGcodeCheckText{
     "check", "Whether a program in G-code is right, and can be run on the machine",
@@ -55,55 +53,6 @@ private:
     std::string text_;
 };
 
-Json problems_json(const std::vector<gcode::Problem>& problems) {
-    auto list = Json::array();
-    for (const gcode::Problem& problem : problems) {
-        list.push_back({{"line", problem.line},
-                        {"column", problem.column},
-                        {"code", gcode::name_of(problem.code)},
-                        {"what", problem.what},
-                        {"remedy", gcode::remedy_of(problem.code)}});
-    }
-    return list;
-}
-
-std::string count_text(std::uint64_t count, const char* one) {
-    return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
-
-void print_json(const std::string& path, const gcode::ProgramFacts& facts,
-                const gcode::ProblemList& problems) {
-    Json object{{"file", path},
-                {"ok", problems.error_count() == 0},
-                {"lines", facts.line_count},
-                {"motions", facts.motion_count},
-                {"error_count", problems.error_count()},
-                {"errors", problems_json(problems.errors())},
-                {"warning_count", problems.warning_count()},
-                {"warnings", problems_json(problems.warnings())}};
-    if (problems.error_count() > 0) {
-        const std::string message = gcode::problem_text(problems.errors().front(), path);
-        object["error"] = Json::parse(error_json(bad_input(message)));
-    }
-    std::printf("%s\n", object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
-}
-
-void print_problems(const std::string& path, const gcode::ProblemList& problems) {
-    for (const gcode::Problem& problem : problems.warnings())
-        print_warning(gcode::problem_text(problem, path));
-    if (const auto more = problems.warning_count() - problems.warnings().size(); more > 0)
-        print_warning(path + ": and " + count_text(more, "warning") + " more");
-    for (const gcode::Problem& problem : problems.errors())
-        print_error(bad_input(gcode::problem_text(problem, path)));
-    if (const auto more = problems.error_count() - problems.errors().size(); more > 0)
-        print_error(bad_input(path + ": and " + count_text(more, "error") + " more"));
-}
-
-/// The program's name as its user knows it.
-std::string program_name(const std::string& path) {
-    return path.starts_with(model::kDescriptorFolder) ? model::source_name_of(path) : path;
-}
-
 Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options) {
     const std::string name = program_name(options.path);
     gcode::InterpreterOptions how;
@@ -126,7 +75,7 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
     motion.flush();
     if (!facts) return facts.error();
     print_problems(name, problems);
-    if (common.json) print_json(name, *facts, problems);
+    if (common.json) print_json_line(check_json(name, *facts, problems));
     if (problems.error_count() > 0) return kExitBadInput;
     if (!common.json && !options.prints_canon)
         std::printf("%s: OK, %s, %s\n", name.c_str(), count_text(facts->line_count, "line").c_str(),

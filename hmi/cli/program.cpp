@@ -55,8 +55,9 @@ void add_all_commands(CommandSet& commands) {
     add_snapshot_info(snapshot);
     add_snapshot_export(snapshot);
     add_snapshot_diff(snapshot);
-    CommandSet gcode = commands.group("gcode", "Check programs in G-code");
+    CommandSet gcode = commands.group("gcode", "Check and run programs in G-code");
     add_gcode_check(gcode);
+    add_gcode_run(gcode);
     add_replay(commands);
     add_verify(commands);
     add_calibrate(commands);

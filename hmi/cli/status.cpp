@@ -17,6 +17,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
+#include "hmi/cli/program_text.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/cli/unfinished_look.hpp"
 #include "hmi/cli/unfinished_text.hpp"
@@ -28,6 +29,7 @@
 #include "shared/machine/machine_state.hpp"
 #include "shared/record/saved_checkpoint.hpp"
 #include "shared/segment/segment.hpp"
+#include "shared/segment/segment_program.hpp"
 #include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
@@ -176,6 +178,7 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     const auto checkpoint = link.checkpoint();
     object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
+    object["program"] = program_json(program_report(link.segment()).status);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
@@ -217,9 +220,13 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
         if (common.json)
             return json_line(*link, *status, pass, profile, pieces.beside(*link, *status, patience));
+        const ProgramStatus program = program_report(link->segment()).status;
+        if (as_line && program.is_running != 0)
+            return state_text(*status) + "; program " + program_place_text(program) + "\n";
         if (as_line) return status_line(*status, pass);
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
+                           program_text(program) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
         if (const std::string remark = in_words(current_remarks(link->job_remarks(), checkpoint));
             !remark.empty())

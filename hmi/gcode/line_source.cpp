@@ -34,6 +34,12 @@ private:
     int descriptor_;
 };
 
+FileState state_from(const struct stat& facts) noexcept {
+    constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+    return {facts.st_dev, facts.st_ino, facts.st_size,
+            facts.st_mtim.tv_sec * kNsPerSecond + facts.st_mtim.tv_nsec};
+}
+
 Error wrong_program(const std::string& path) {
     return bad_input(path + ": cannot be read: " + std::strerror(errno));
 }
@@ -98,6 +104,30 @@ Result<ByteSource> open_program(const std::string& path) {
             if (got >= 0) return static_cast<std::size_t>(got);
             if (errno != EINTR) return wrong_program(path);
         }
+    }};
+}
+
+Result<FileState> state_of_program(const std::string& path) {
+    struct stat facts {};
+    if (stat(path.c_str(), &facts) != 0) return wrong_program(path);
+    if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder; name a program");
+    if (!S_ISREG(facts.st_mode))
+        return bad_input(path + ": is no regular file, and is read twice; give it as standard input: -");
+    return state_from(facts);
+}
+
+Result<ByteSource> open_unchanged_program(const std::string& path, const FileState& state) {
+    const auto program = std::make_shared<OpenProgram>(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (program->descriptor() < 0) return wrong_program(path);
+    return ByteSource{[program, path, state](std::span<char> room) -> Result<std::size_t> {
+        const ssize_t got = read(program->descriptor(), room.data(), room.size());
+        if (got < 0) return wrong_program(path);
+        // Looked at afterwards: what was read before a change is what was checked.
+        struct stat facts {};
+        if (fstat(program->descriptor(), &facts) != 0) return wrong_program(path);
+        if (state_from(facts) != state)
+            return bad_input(path + ": has been changed while it is run; what was read of it before is run");
+        return static_cast<std::size_t>(got);
     }};
 }
 

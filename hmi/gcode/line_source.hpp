@@ -40,4 +40,17 @@ private:
 /// Reads a file; errors name it.
 Result<ByteSource> open_program(const std::string& path);
 
+/// The text that a file had at a time.
+struct FileState {
+    std::uint64_t device = 0;
+    std::uint64_t inode = 0;
+    std::int64_t bytes = 0;
+    std::int64_t changed_ns = 0;
+    bool operator==(const FileState&) const = default;
+};
+/// bad_input for what is no regular file: it could be read only once.
+Result<FileState> state_of_program(const std::string& path);
+/// The same, and an error as soon as the file is no longer what it was.
+Result<ByteSource> open_unchanged_program(const std::string& path, const FileState& state);
+
 }  // namespace psicarve::gcode

@@ -193,15 +193,18 @@ void RecordMaker::move(const CanonRecord& record) {
 
 void RecordMaker::move_on_chords(const CanonRecord& record, double seconds) {
     const double chord_mm = kChordShare * tolerance_mm_;
-    const double corner_mm = tolerance_mm_ - chord_mm;
+    const double corner_mm = corner_tolerance_mm();
     const ArcChords chords{record, chord_mm};
     const AxisMask letters = static_cast<AxisMask>(record.placed & moving_letters());
     const double each_s = seconds / static_cast<double>(chords.count());
-    outlet_.narrow(corner_mm);
     for (std::uint64_t chord = 1; chord <= chords.count() && wants_more(); ++chord) {
         const double tolerance_mm = chord == chords.count() && is_exact_ ? 0.0 : corner_mm;
         put_way(record.line, chords.end_of(chord), letters, each_s, tolerance_mm, false);
     }
+}
+
+double RecordMaker::corner_tolerance_mm() const noexcept {
+    return tolerance_mm_ - kChordShare * tolerance_mm_;
 }
 
 void RecordMaker::put_way(std::uint64_t line, const Position& end, AxisMask letters, double seconds,

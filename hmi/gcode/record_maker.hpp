@@ -51,7 +51,9 @@ private:
     void refuse(const CanonRecord& record, const std::string& what);
 
     /// How near the ends of the present mode must be passed.
-    double end_tolerance_mm() const noexcept { return is_exact_ ? 0.0 : tolerance_mm_; }
+    double end_tolerance_mm() const noexcept { return is_exact_ ? 0.0 : corner_tolerance_mm(); }
+    /// Of an end between two ways, be they lines or chords: one for all, as the path rests where it changes.
+    double corner_tolerance_mm() const noexcept;
     AxisMask moving_letters() const noexcept;
 
     RunOptions options_;

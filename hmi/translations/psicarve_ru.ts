@@ -6619,6 +6619,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>программа</translation>
         </message>
         <message>
+            <source>program %1 is not the one that waits to be run; start it again</source>
+            <translation>программа %1 — не та, что ждёт запуска; запустите её снова</translation>
+        </message>
+        <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ проходит за слой больше, чем может любой станок</translation>
         </message>
@@ -7137,6 +7141,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>станок остановился (%1), его кто-то остановил</translation>
+        </message>
+        <message>
+            <source>the machine has moved since the program was read; start it again</source>
+            <translation>станок сдвинулся с тех пор, как программа была прочитана; запустите её снова</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>

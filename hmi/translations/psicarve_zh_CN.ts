@@ -6612,6 +6612,10 @@ N、Shift+N  下一条、上一条记录
             <translation>程序</translation>
         </message>
         <message>
+            <source>program %1 is not the one that waits to be run; start it again</source>
+            <translation>程序 %1 不是等待运行的那个程序；请重新启动程序</translation>
+        </message>
+        <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ 在一层内的行程超出任何机床</translation>
         </message>
@@ -7130,6 +7134,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>机床已停下（%1），有人停止了它</translation>
+        </message>
+        <message>
+            <source>the machine has moved since the program was read; start it again</source>
+            <translation>读取程序之后机床移动过；请重新启动程序</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>

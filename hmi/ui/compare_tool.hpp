@@ -22,6 +22,7 @@ public:
     /// Files are first looked for in what `folder` says then. The window owns it.
     CompareTool(session::MessageLog& log, std::function<QString()> folder, QMenu& menu, QWidget* window);
 
+    bool is_comparing() const noexcept { return compare_.is_comparing(); }
     void compare(const std::string& path_a, const std::string& path_b);
 
 private:

@@ -7,6 +7,8 @@
 #include <QSlider>
 #include <QSpinBox>
 
+#include <algorithm>
+
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/saved_piece.hpp"
@@ -69,6 +71,7 @@ void JobPanel::make_buttons() {
     dry_run_ = new TickBox{tr("Dry run")};
     dry_run_->setObjectName("dry_run");
     dry_run_->setFocusPolicy(Qt::TabFocus);
+    dry_run_->setChecked(context_.wanted_run == session::RunKind::dry);
     connect(dry_run_, &QCheckBox::toggled, this, [this](bool is_dry) {
         context_.wanted_run = is_dry ? session::RunKind::dry : session::RunKind::carve;
         refresh_buttons();
@@ -84,7 +87,10 @@ void JobPanel::make_buttons() {
     }
     layer_ = new QSpinBox;
     ignore_wheel(layer_);
-    layer_->setRange(1, 1);
+    layer_->setRange(1, std::max(1, context_.first_layer.chosen));
+    layer_->setValue(context_.first_layer.chosen);
+    connect(layer_, &QSpinBox::valueChanged, this,
+            [this](int chosen) { context_.first_layer.chosen = chosen; });
     layer_->setObjectName("layer");
     layer_->setAccessibleName(tr("Layer to start from"));
     one_layer_ = new ActionButton{Action::one_layer, tr("One layer"), [this] { start_at_layer(1); }};
@@ -151,7 +157,7 @@ void JobPanel::make_override() {
 void JobPanel::start_at_layer(std::uint32_t layers) {
     const auto layer = static_cast<std::uint32_t>(layer_->value());
     // Layer after layer there is nothing to ask: it is where the carving stopped.
-    const bool is_next = layers > 0 && layer == shown_layer_ + 1;
+    const bool is_next = layers > 0 && layer == context_.first_layer.offered + 1;
     const session::RunKind kind = context_.wanted_run;  // whatever is chosen while it is asked
     // What only a disk knows is asked for by its own question, however the layer is started.
     if (kind == session::RunKind::carve && session::is_from_disk_alone(context_.machine.view(), layer - 1)) {
@@ -308,9 +314,10 @@ void JobPanel::refresh_layer() {
                                                 job->view.layer_count());
     }
     // Before the job is known the box has no room for it.
-    if (next == shown_layer_ || static_cast<int>(next) >= layer_->maximum()) return;
-    shown_layer_ = next;
-    layer_->setValue(static_cast<int>(shown_layer_) + 1);
+    std::uint32_t& offered = context_.first_layer.offered;
+    if (next == offered || static_cast<int>(next) >= layer_->maximum()) return;
+    offered = next;
+    layer_->setValue(static_cast<int>(offered) + 1);
 }
 
 void JobPanel::refresh_override() {

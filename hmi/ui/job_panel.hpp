@@ -55,7 +55,6 @@ private:
 
     WindowContext& context_;
     const Tokens* tokens_ = nullptr;
-    std::uint32_t shown_layer_ = 0;
     int fitted_height_ = 0;
     Room room_ = Room::usual;
     JobPairView* jobs_;

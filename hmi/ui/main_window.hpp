@@ -25,6 +25,7 @@ class QAction;
 namespace psicarve::ui {
 
 class AlarmBanner;
+class CompareTool;
 class FirstTouch;
 class JobPanel;
 class JogPanel;
@@ -148,6 +149,7 @@ private:
     bool wants_last_page_ = false;
     session::ProfileArrival arrival_;
     QMenu* menu_ = nullptr;
+    CompareTool* compare_ = nullptr;
     QMenu* file_menu_ = nullptr;
     QMenu* machine_menu_ = nullptr;
     QMenu* view_menu_ = nullptr;

@@ -8,6 +8,7 @@
 
 #include <chrono>
 
+#include "hmi/ui/compare_tool.hpp"
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/main_window.hpp"
 #include "hmi/ui/model_page.hpp"
@@ -27,7 +28,8 @@ void MainWindow::choose_language(std::optional<Language> choice) {
 bool MainWindow::may_change_language() const {
     return context_.settings->is_read() && open_dialog() == nullptr &&
            QApplication::activePopupWidget() == nullptr && QApplication::mouseButtons() == Qt::NoButton &&
-           !arrival_.is_awaited() && !context_.profile_desk.lock() && pages_->is_quiet();
+           !arrival_.is_awaited() && !context_.profile_desk.lock() && pages_->is_quiet() &&
+           !compare_->is_comparing();
 }
 
 void MainWindow::change_language() {
@@ -61,6 +63,7 @@ void MainWindow::take_down() {
     delete takeCentralWidget();
     setMenuBar(new QMenuBar);
     delete menu_;
+    delete compare_;
     const QList<QObject*> own = children();
     for (QObject* child : own) {
         if (qobject_cast<QAction*>(child) != nullptr || qobject_cast<QActionGroup*>(child) != nullptr)

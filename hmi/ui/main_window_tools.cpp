@@ -70,8 +70,8 @@ void MainWindow::make_tools_menu() {
         if (context_.judge.is_judging()) return context_.judge.cancel();
         choose_trace_to_verify();
     });
-    new CompareTool{context_.log, [this] { return last_folder(); }, *tools_menu_,
-                    this};  // the window owns it
+    compare_ = new CompareTool{context_.log, [this] { return last_folder(); }, *tools_menu_,
+                               this};  // the window owns it
     QAction* calibrate = tools_menu_->addAction(tr("Calibrate the heads…"));
     calibrate->setObjectName("calibrate_action");
     connect(calibrate, &QAction::triggered, this, [this] {

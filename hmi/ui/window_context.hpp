@@ -86,6 +86,12 @@ struct WindowContext {
     session::LayerCursor layer_cursor;
     std::uint64_t read_messages = 0;                        ///< that somebody had the page open for
     session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
+    /// The box that says with which layer to begin.
+    struct LayerChoice {
+        std::uint32_t offered = 0;  ///< by the machine, from 0
+        int chosen = 1;             ///< as it is shown, from 1
+    };
+    LayerChoice first_layer;
 
     /// The core's, else the one that the window was started with, else the built-in one.
     Profile machine_profile() const {

@@ -23,6 +23,7 @@ Sample Cycle::sample() const noexcept {
     sample.point = motion_.progress().point();
     sample.points_done = motion_.progress().points_reached();
     job_.show_in(sample);
+    if (program_.is_on()) sample.is_dry = 0;
     sample.missed_ticks = clock_.missed();
     sample.waited_ticks = motion_.progress().waited_ticks();
     sample.trace_lost = outlet_.trace_lost();

@@ -124,6 +124,7 @@ void Cycle::stop() noexcept {
     if (state_ == MachineState::ready) pulses_.set_spindle(false);
     if (state_ == before) return;
     move_.end(MoveEnd::none);
+    program_.wait_for(ProgramHold::none);
     if (state_ == MachineState::stopping) {
         motion_.slow_down();
     } else {

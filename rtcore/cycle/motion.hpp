@@ -57,8 +57,8 @@ public:
     /// Rotors that may still turn.
     const Coasting& coasting() const noexcept { return coasting_; }
 
-    /// It rests, and nothing is queued that it could do next.
-    bool is_dry() const noexcept { return executor_.is_dry(); }
+    /// It rests, heads on the path, and nothing is queued that it could do next.
+    bool is_dry() const noexcept { return !lift_.is_active() && executor_.is_dry(); }
     bool has_block() const noexcept { return io_->blocks.front() != nullptr; }
     /// As Executor has them.
     std::uint64_t program_line() const noexcept { return executor_.program_line(); }

@@ -25,6 +25,8 @@ public:
         dry_steps_ = 0;
         has_begun_ = false;
     }
+    /// Its last block is done.
+    void note_done() noexcept { status_.is_done = 1; }
     void end() noexcept {
         status_.is_running = 0;
         status_.hold = ProgramHold::none;

@@ -45,14 +45,16 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
     span.end_band.fill(kEndBandPulses);
     span.end_band[kPsi] = std::min(kEndBandPulses, psi_band_mm / psi_pulse_mm);
     span.band[kPsi] = psi_band_mm / psi_pulse_mm;
+    // Cut on the chord, all axes stand at one place of it, wherever the curve has each.
+    const bool is_on_chord = heads_are_coarse(limits);
     const double y_share = limits.is_program ? kTubeShare : 1.0;
-    span.band[kY] = std::max(kLeastBandPulses, y_share * tolerance_mm * limits.axes[kY].pulses_per_unit);
+    const double y_band_pulses = y_share * tolerance_mm * limits.axes[kY].pulses_per_unit;
+    span.band[kY] =
+        limits.is_program && is_on_chord ? kLeastBandPulses : std::max(kLeastBandPulses, y_band_pulses);
     // A layer's plane is (r * dpsi, R); a program's chord goes along Y, too.
     const double lift_mm =
         limits.is_program ? static_cast<double>(std::abs(delta_pulses[kY])) / limits.axes[kY].pulses_per_unit
                           : 0.0;
-    // Cut on the chord, both heads and the table stand at one place of it, wherever the curve has each.
-    const bool is_on_chord = heads_are_coarse(limits);
     for (std::size_t head = 0; head < 2; ++head) {
         const double scale = limits.axes[head].pulses_per_unit;
         const double turn_mm = turn_pulses * rad_per_pulse * span.radius_mm[head];
@@ -66,7 +68,8 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
         const double share = rise_mm > along_mm ? kBoundaryShare : kTubeShare;
         const double left_mm = std::max(share * tolerance_mm - used_mm, kPsiShare * tolerance_mm);
         const double widened_mm = along_mm > 0.0 ? left_mm * chord_mm / along_mm : left_mm + rise_mm;
-        const double band_mm = std::min(widened_mm, left_mm + 0.25 * rise_mm);
+        // Where Y moves, too, it has a tube of its own, and both may leave the chord the same way.
+        const double band_mm = lift_mm > 0.0 ? left_mm : std::min(widened_mm, left_mm + 0.25 * rise_mm);
         span.band[head] = is_on_chord ? kLeastBandPulses : std::max(kLeastBandPulses, band_mm * scale);
     }
     // An axis with backlash must not turn back between two points, not even to take a run-up: it gets no room

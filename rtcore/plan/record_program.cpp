@@ -28,8 +28,11 @@ constexpr double kRampParts = 4.0;
 constexpr double kRampsApart = 1.25;
 // Whole numbers of a longer line would not fit.
 constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
+// More than a window of ways can have.
+constexpr int kMostStepsAtOnce = 4096;
 // More would be no tolerance of this machine's any more; less is exact to the pulse.
 constexpr double kMostTolerances = 1000.0;
+constexpr double kLeastTolerance = 0.001;
 
 // A rest may be left any way at once: what was jumped to it and what is jumped from it are not more than one
 // jump together.
@@ -63,7 +66,12 @@ bool RecordProgram::next(MotionBlock& block) {
 bool RecordProgram::make_blocks() {
     ProgramStep step;
     is_waiting_ = false;
-    while (blocks_.empty() && !is_ended_) {
+    for (int taken = 0; blocks_.empty() && !is_ended_; ++taken) {
+        // Steps that come to nothing, without end, must not keep the planner from what else is asked of it.
+        if (taken == kMostStepsAtOnce) {
+            is_waiting_ = true;
+            return false;
+        }
         switch (source_->next(step)) {
             case Supply::step:
                 take(step);
@@ -109,7 +117,9 @@ void RecordProgram::take(const ProgramStep& step) {
 
 void RecordProgram::take_way(const ProgramStep& step) {
     const bool is_exact = step.tolerance_mm <= 0.0;
-    if (!is_exact && tolerance_mm_ > 0.0 && step.tolerance_mm != tolerance_mm_) come_to_rest();
+    // An exact way has no tube of the ways before it.
+    const double before_mm = tolerance_mm_;
+    if (before_mm > 0.0 && (is_exact || step.tolerance_mm != before_mm)) come_to_rest();
     if (!is_exact) tolerance_mm_ = step.tolerance_mm;
     if (step.target_pulses != points_.back().pulses) add_way(step);
     const bool halts = is_single_ && step.ends_block;
@@ -178,9 +188,10 @@ void RecordProgram::come_to_rest() {
 void RecordProgram::set_limits() {
     const auto lifts = [this](const PathPoint& point) { return point.pulses[kY] != points_[0].pulses[kY]; };
     const double given_mm = tolerance_mm_ > 0.0 ? tolerance_mm_ : machine_.path_tolerance_mm;
+    const double least_mm = kLeastTolerance * machine_.path_tolerance_mm;
     const double most_mm = kMostTolerances * machine_.path_tolerance_mm;
     const double share = std::any_of(points_.begin(), points_.end(), lifts) ? kShareOfTwo : 1.0;
-    limits_.path_tolerance_mm = share * std::min(given_mm, most_mm);
+    limits_.path_tolerance_mm = share * std::clamp(given_mm, least_mm, most_mm);
     if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
     planned_tolerance_mm_ = limits_.path_tolerance_mm;
     stretches_.emplace(limits_);

@@ -26,6 +26,7 @@ public:
     RecordIntake(ProgramFeed feed, const Profile& profile, const plan::Pulses4& start) noexcept
         : feed_(feed), rules_(profile), at_(start) {}
 
+    void begin(const plan::Pulses4& start) noexcept override { at_ = start; }
     plan::Supply next(plan::ProgramStep& step) override;
 
     /// Waits until there may be something other than `later`, at most so long.

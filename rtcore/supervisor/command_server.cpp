@@ -34,6 +34,13 @@ Result<Command> with_layer(const Command& command, Segment& segment, const Loade
     return resuming;
 }
 
+/// The machine is where a program's sender saw it.
+bool stands_at(const cycle::Sample& sample, const Command& command) noexcept {
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        if (static_cast<double>(sample.position_pulses[k]) != command.target[k]) return false;
+    return true;
+}
+
 }  // namespace
 
 void CommandServer::take_commands(Segment& segment, cycle::RequestRing& requests, const cycle::Sample& sample,
@@ -94,6 +101,9 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
         return refuse(segment, received, message_of(MessageId::no_such_sensor));
     if (command.kind == CommandKind::program) {
         if (!program_opener_) return refuse(segment, received, message_of(MessageId::unknown_command));
+        // It was read for a machine that stands there; whoever moves it now is refused while it is asked for.
+        if (!stands_at(sample, command))
+            return refuse(segment, received, message_of(MessageId::program_start_moved));
         const auto opened = program_opener_(command.value2);
         if (!opened) return refuse(segment, received, opened.error().said);
     }
@@ -130,6 +140,7 @@ void CommandServer::deliver_answer(Segment& segment, const cycle::Report& report
     const bool is_done = report.refusal == cycle::Refusal::none;
     if (is_done) note_lease(found->received.command);
     const Command& command = found->received.command;
+    if (command.kind == CommandKind::program && opened_taker_) opened_taker_(command.value2, is_done);
     answer(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
            is_done ? speed_remark(command, *profile_)
                    : refusal_message(report, command.kind, sample, *profile_, found->layer_count));

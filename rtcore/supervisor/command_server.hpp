@@ -54,6 +54,10 @@ public:
     using ProgramOpener = std::function<Result<void>(std::uint64_t program)>;
     void set_program_opener(ProgramOpener opener) { program_opener_ = std::move(opener); }
 
+    /// Is told what became of a program that was opened, just before its sender is; of no other command.
+    using OpenedTaker = std::function<void(std::uint64_t program, bool is_done)>;
+    void set_opened_taker(OpenedTaker taker) { opened_taker_ = std::move(taker); }
+
     /// Is told of every answer just before its sender is.
     using AnswerTaker = std::function<void(const ReceivedCommand&, AnswerKind, const Message&)>;
     void set_answer_taker(AnswerTaker taker) { answer_taker_ = std::move(taker); }
@@ -92,7 +96,8 @@ private:
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;
     AnswerTaker answer_taker_;
-    ProgramOpener program_opener_;  ///< empty: there are no programs
+    OpenedTaker opened_taker_;
+    ProgramOpener program_opener_;
     Message refusal_for_all_{};
     bool is_guard_lost_ = false;
     std::uint64_t seen_generation_ = 0;

@@ -12,16 +12,15 @@
 
 namespace psicarve::supervisor {
 
-/// Where programs of motion records come from, and who is told how they go. Either may be missing: then there
-/// are no programs, or nobody is told. Both are called by the supervisor's thread alone.
+/// Where programs of motion records come from, and who is told how they go. Each may be missing: then there
+/// are no programs, or nobody is told. All are called by the supervisor's thread alone.
 struct ProgramAccess {
     /// The steps of the program that a command names, or why it cannot be run.
-    /// Whoever gives them keeps the segment as long as the planner has the source.
-    std::function<Result<std::shared_ptr<plan::StepSource>>(const std::shared_ptr<Segment>&,
-                                                            std::uint64_t program)>
-        open;
-    /// Whenever the status is published.
-    std::function<void(Segment&, const ProgramStatus&)> tell;
+    std::function<Result<std::shared_ptr<plan::StepSource>>(std::uint64_t program)> open;
+    /// What became of that command. Where it is done, `serve` has been told by then of a program that runs.
+    std::function<void(std::uint64_t program, bool is_done)> note_answer;
+    /// Whenever the status is published, into this segment.
+    std::function<void(const std::shared_ptr<Segment>& segment, const ProgramStatus& status)> serve;
 };
 
 }  // namespace psicarve::supervisor

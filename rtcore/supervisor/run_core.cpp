@@ -16,6 +16,7 @@
 #include "rtcore/port/fatal_signals.hpp"
 #include "rtcore/process/privileges.hpp"
 #include "rtcore/process/state_folder.hpp"
+#include "rtcore/program/program_server.hpp"
 #include "rtcore/realtime/realtime_setup.hpp"
 #include "rtcore/replay/recorded_job.hpp"
 #include "rtcore/replay/replay_script.hpp"
@@ -191,6 +192,14 @@ void leave_privileges(const CoreOptions& options) {
     }
 }
 
+ProgramAccess access_to(program::ProgramServer& programs) {
+    return {.open = [&programs](std::uint64_t program) { return programs.open(program); },
+            .note_answer = [&programs](std::uint64_t program,
+                                       bool is_done) { programs.note_answer(program, is_done); },
+            .serve = [&programs](const std::shared_ptr<Segment>& segment,
+                                 const ProgramStatus& status) { programs.serve(segment, status); }};
+}
+
 /// The segment is ours.
 int serve_segment(const CoreOptions& options, const Profile& profile, PartsRequest request, Segment segment,
                   std::optional<Replay>& replay) {
@@ -209,7 +218,9 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
                           .is_simulator = options.port.is_simulated(),
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
                           .missing_sensors_mask = missing_sensors(profile)};
+    program::ProgramServer programs{profile};
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
+    if (!replay) supervisor.set_program_access(access_to(programs));
     if (replay && replay->script) supervisor.refuse_commands(message_of(MessageId::replaying));
     if (facts.is_virtual_clock && !replay) supervisor.load_left_job();
     supervisor.segment().sign_core();

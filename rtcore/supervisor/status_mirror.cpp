@@ -3,7 +3,22 @@
 
 #include <algorithm>
 
+#include "rtcore/sim/machine.hpp"
+
 namespace psicarve::supervisor {
+
+SimFacts sim_facts(const sim::Machine& machine) {
+    const sim::SimReport report = machine.report();
+    SimFacts facts;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t i = index_of(axis);
+        facts.true_position_pulses[i] = report.axis(axis).position_pulses;
+        facts.ignored_pulses[i] = report.axis(axis).pulses_ignored;
+        facts.timing_lost[i] = report.axis(axis).timing_lost();
+        facts.stalls[i] = report.axis(axis).stalls;
+    }
+    return facts;
+}
 
 void StatusMirror::note_alarm(const cycle::Report& report) noexcept {
     const FlightRecord& record = report.record;

@@ -9,6 +9,10 @@
 #include "shared/machine/status.hpp"
 #include "shared/segment/segment.hpp"
 
+namespace psicarve::sim {
+class Machine;
+}
+
 namespace psicarve::supervisor {
 
 /// What the supervisor knows of the running core besides the tick's own sample.
@@ -32,6 +36,7 @@ struct SimFacts {
     std::array<std::uint64_t, kAxisCount> timing_lost{};
     std::array<std::uint64_t, kAxisCount> stalls{};
 };
+SimFacts sim_facts(const sim::Machine& machine);
 
 /// As planned, at 100 % feed; negative: unknown.
 struct PlannedTimes {

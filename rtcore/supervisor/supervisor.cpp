@@ -34,19 +34,6 @@ std::int64_t first_sleep_ns() {
     return *slept;
 }
 
-SimFacts sim_facts(const sim::Machine& machine) {
-    const sim::SimReport report = machine.report();
-    SimFacts facts;
-    for (const Axis axis : kAllAxes) {
-        const std::size_t i = index_of(axis);
-        facts.true_position_pulses[i] = report.axis(axis).position_pulses;
-        facts.ignored_pulses[i] = report.axis(axis).pulses_ignored;
-        facts.timing_lost[i] = report.axis(axis).timing_lost();
-        facts.stalls[i] = report.axis(axis).stalls;
-    }
-    return facts;
-}
-
 }  // namespace
 
 Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, Segment segment,
@@ -92,10 +79,13 @@ void Supervisor::set_program_access(ProgramAccess access) {
     programs_ = std::move(access);
     if (!programs_.open) return;
     server_.set_program_opener([this](std::uint64_t program) -> Result<void> {
-        auto source = programs_.open(segment_, program);
+        auto source = programs_.open(program);
         if (!source) return source.error();
         parts_->planner->set_source(std::move(*source), program);
         return {};
+    });
+    server_.set_opened_taker([this](std::uint64_t program, bool is_done) {
+        if (programs_.note_answer) programs_.note_answer(program, is_done);
     });
 }
 
@@ -319,7 +309,7 @@ PlannedTimes Supervisor::planned_times() {
 
 void Supervisor::publish_status() {
     if (parts_->machine != nullptr && !is_machine_frozen_) mirror_.set_sim(sim_facts(*parts_->machine));
-    if (programs_.tell) programs_.tell(*segment_, sample_.program);
+    if (programs_.serve) programs_.serve(segment_, sample_.program);
     write_record(segment_->header().status, mirror_.compose(sample_, planned_times()));
     if (changes_ != changes_told_) {
         changes_told_ = changes_;

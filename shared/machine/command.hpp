@@ -37,7 +37,7 @@ enum class CommandKind : std::uint32_t {
     forget_piece = 18,  ///< at rest: the one record that it names (saved_checkpoint.hpp), in the segment and
                         ///< on the disk
     program = 19,  ///< run the program of that number (value2), whose records a writer puts into the ring;
-                   ///< axis: kProgram... bits
+                   ///< axis: kProgram... bits; target: where the machine stood when it was read [pulses]
 };
 inline constexpr std::uint32_t kCommandKindCount = 20;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
@@ -70,7 +70,7 @@ struct Command {
     double speed = 0.0;              ///< jog, jog_on: [mm/s; deg/s]; 0: the axis' home speed
     std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; record; 0: nobody holds it
     std::uint32_t lease_ms = 0;      ///< jog, jog_on: how long it lives without being renewed
-    double target[kAxisCount] = {};  ///< move: position by axis [mm; psi: deg]
+    double target[kAxisCount] = {};  ///< move: position by axis [mm; psi: deg]; program: [pulses]
     double centre[kAxisCount] = {};  ///< move, arcs: likewise
     MoveShape shape = MoveShape::straight;
     std::uint32_t reserved = 0;

@@ -29,7 +29,8 @@ struct ProgramStatus {
     std::uint32_t is_running;   ///< 1: it was started and has not ended
     ProgramHold hold;           ///< none: it moves, or a command holds it
     std::uint8_t is_single;
-    std::uint8_t reserved[2];
+    std::uint8_t is_done;  ///< 1: all of it that the core took is run; not so after a stop or an alarm
+    std::uint8_t reserved;
 };
 static_assert(sizeof(ProgramStatus) == 32 && std::is_trivially_copyable_v<ProgramStatus>);
 

@@ -148,6 +148,8 @@ enum class MessageId : std::uint16_t {
     program_tips_pass_too_close = 215,
     program_goes_on_after_end = 216,
     program_lost = 217,
+    no_such_program = 218,
+    program_start_moved = 219,
 };
 
 }  // namespace psicarve

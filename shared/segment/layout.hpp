@@ -11,6 +11,7 @@
 #include "shared/computer/event.hpp"
 #include "shared/job/job.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/program_status.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/program/record_ring.hpp"
 #include "shared/segment/checkpoint.hpp"
@@ -190,10 +191,10 @@ struct ProgramControl {
     AtomicWord64 asked;             ///< the claim that waits for a program's number; the core makes it 0
     AtomicWord64 closed;            ///< by the writer: the program of which all is put
     AtomicWord64 running;           ///< by the core: the program whose records it takes; 0: of none
-    AtomicWord64 starvations;       ///< by the core: how often the machine had to wait for records
     SharedRecord<ProgramGrant> grant;
     SharedRecord<ProgramProgress> progress;
     SharedRecord<ProgramRefusal> refusal;
+    SharedRecord<ProgramStatus> status;  ///< of the program that runs, or ran last: how far the machine is
 };
 
 struct SegmentHeader {

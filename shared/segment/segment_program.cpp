@@ -219,8 +219,8 @@ ProgramReport program_report(const Segment& segment) noexcept {
     ProgramReport report;
     report.writer_pid = pid_of_claim(control.claim.load());
     report.running = control.running.load();
-    report.starvations = control.starvations.load();
     if (const auto progress = read_record(control.progress)) report.progress = *progress;
+    if (const auto status = read_record(control.status)) report.status = *status;
     const auto refusal = read_record(control.refusal);
     if (refusal && refusal->program != 0 && refusal->program == report.progress.program)
         report.refusal = *refusal;
@@ -230,8 +230,11 @@ ProgramReport program_report(const Segment& segment) noexcept {
 // --- core --------------------------------------------------------------------------------------------------
 
 bool ProgramFeed::is_left() const noexcept {
-    return control_->closed.load() == grant_.program || control_->claim.load() != grant_.claim ||
-           !is_claimant_alive(*control_, grant_.claim);
+    return control_->closed.load() == grant_.program || !has_writer();
+}
+
+bool ProgramFeed::has_writer() const noexcept {
+    return control_->claim.load() == grant_.claim && is_claimant_alive(*control_, grant_.claim);
 }
 
 void ProgramFeed::say(std::uint64_t taken, std::uint64_t line, ProgramEnd end) noexcept {
@@ -258,6 +261,10 @@ std::optional<std::uint32_t> ProgramDesk::waiting_writer() noexcept {
     return pid_of_claim(claim);
 }
 
+bool ProgramDesk::asks_again(std::uint64_t claim) const noexcept {
+    return segment_->header().program.asked.load() == claim;
+}
+
 std::optional<ProgramFeed> ProgramDesk::open(std::uint64_t first) noexcept {
     ProgramControl& control = segment_->header().program;
     if (!waiting_writer()) return std::nullopt;
@@ -268,7 +275,6 @@ std::optional<ProgramFeed> ProgramDesk::open(std::uint64_t first) noexcept {
     control.ends.written.store(first);
     control.ends.taken.store(first);
     control.closed.store(0);
-    control.starvations.store(0);
     ProgramFeed feed{control, segment_->record_ring(), grant};
     write_record(control.refusal, ProgramRefusal{});
     feed.say(0, 0, ProgramEnd::none);
@@ -284,15 +290,14 @@ void ProgramDesk::end() noexcept {
     event_signal(control.ends.was_taken);
 }
 
-void ProgramDesk::count_starvation() noexcept {
-    ProgramControl& control = segment_->header().program;
-    control.starvations.store(control.starvations.load() + 1);
+void ProgramDesk::tell(const ProgramStatus& status) noexcept {
+    write_record(segment_->header().program.status, status);
 }
 
 void clear_program_of_dead_core(SegmentHeader& header) noexcept {
     ProgramControl& control = header.program;
     control.running.store(0);
-    control.starvations.store(0);
+    write_record(control.status, ProgramStatus{});
     write_record(control.grant, ProgramGrant{});
     write_record(control.progress, ProgramProgress{});
     write_record(control.refusal, ProgramRefusal{});

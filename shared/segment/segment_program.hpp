@@ -78,8 +78,8 @@ private:
 struct ProgramReport {
     std::uint32_t writer_pid = 0;  ///< who has the claim, alive or not; 0: nobody
     std::uint64_t running = 0;     ///< the program whose records the core takes; 0: of none
-    std::uint64_t starvations = 0;
-    ProgramProgress progress{};               ///< of the program that runs, or ran last
+    ProgramStatus status{};        ///< how far the machine is in it; of another program until it runs
+    ProgramProgress progress{};    ///< of the program that runs, or ran last
     std::optional<ProgramRefusal> refusal{};  ///< of that program
 };
 ProgramReport program_report(const Segment& segment) noexcept;
@@ -96,12 +96,15 @@ public:
         : control_(&control), reader_(ring, grant.first), grant_(grant) {}
 
     std::uint64_t program() const noexcept { return grant_.program; }
+    std::uint64_t claim() const noexcept { return grant_.claim; }
     RingAnswer take(MotionRecord& record) noexcept { return reader_.take(record); }
     RingAnswer wait_for(std::chrono::nanoseconds limit) noexcept { return reader_.wait_for(limit); }
     std::uint64_t queued() noexcept { return reader_.queued(); }
     /// Nothing more comes, for certain: the program is closed, or its writer is dead or has let go. What it
     /// put before that can be taken: look at the ring once more after this was true.
     bool is_left() const noexcept;
+    /// The process that asked for it lives and has not let go.
+    bool has_writer() const noexcept;
 
     void say(std::uint64_t taken, std::uint64_t line, ProgramEnd end) noexcept;
     void say_refusal(std::uint64_t line, const Message& why) noexcept;
@@ -122,11 +125,14 @@ public:
 
     /// The living writer that waits for a number; frees the claim of a dead one.
     std::optional<std::uint32_t> waiting_writer() noexcept;
+    /// The writer of this claim, which has a number, wants another one.
+    bool asks_again(std::uint64_t claim) const noexcept;
     /// Gives it the next number. Nothing: no writer waits. The program before must have ended.
     std::optional<ProgramFeed> open(std::uint64_t first = 0) noexcept;
     /// Takes no more of the program; what is queued of it is forgotten.
     void end() noexcept;
-    void count_starvation() noexcept;
+    /// How far the machine is.
+    void tell(const ProgramStatus& status) noexcept;
     std::uint64_t last_program() const noexcept { return last_program_; }
 
 private:

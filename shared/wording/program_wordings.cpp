@@ -109,6 +109,16 @@ constexpr std::array kProgramWordings{
             "the program breaks off behind line %1: who read it is gone, without its end",
             kAgain,
             {kProgramLine}},
+    Wording{Id::no_such_program,
+            "no_such_program",
+            "program %1 is not the one that waits to be run",
+            kAgain,
+            {{K::count, "program"}}},
+    Wording{Id::program_start_moved,
+            "program_start_moved",
+            "the machine has moved since the program was read",
+            kAgain,
+            {}},
 };
 
 }  // namespace

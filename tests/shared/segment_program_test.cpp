@@ -250,14 +250,18 @@ TEST_F(SegmentProgram, ANewCoreTakesNothingOfTheProgramBeforeIt) {
     EXPECT_EQ(program_report(next).progress.program, 0U);
 }
 
-TEST_F(SegmentProgram, StarvationsAreCountedForEachProgram) {
-    ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
-    ASSERT_TRUE(open_for(writer).has_value());
-    desk_->count_starvation();
-    desk_->count_starvation();
-    EXPECT_EQ(program_report(*hmi_).starvations, 2U);
-    ASSERT_TRUE(open_for(writer).has_value());
-    EXPECT_EQ(program_report(*hmi_).starvations, 0U);
+TEST_F(SegmentProgram, WhereTheMachineIsIsToldWhole) {
+    ProgramStatus status{};
+    status.program = 7;
+    status.line = 1ULL << 40U;
+    status.starvations = 3;
+    status.hold = ProgramHold::starved;
+    desk_->tell(status);
+    const ProgramStatus told = program_report(*hmi_).status;
+    EXPECT_EQ(told.program, 7U);
+    EXPECT_EQ(told.line, 1ULL << 40U);
+    EXPECT_EQ(told.starvations, 3U);
+    EXPECT_EQ(told.hold, ProgramHold::starved);
 }
 
 TEST(SegmentRing, HasTheCapacityThatItsMakerChose) {

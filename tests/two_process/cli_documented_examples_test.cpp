@@ -186,6 +186,7 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         {.begins = "psicarve pins spindle", .goes_on = true},
         {.begins = "psicarve snapshot diff", .before = two_snapshots, .exit_code = 6},
         {.begins = "psicarve replay", .before = short_job},
+        {.begins = "psicarve gcode run", .before = homed},
         {.begins = "psicarve calibrate --profile machine.toml --pin", .before = with_its_profile},
         {
             .begins = "psicarve calibrate --profile machine.toml --",

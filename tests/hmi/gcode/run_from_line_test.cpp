@@ -149,7 +149,7 @@ TEST(RunFromLine, ApproachesNothingWhereNothingHasMovedBefore) {
     const auto records = made_records("F60 G64 P.2\nG10 L2 P1 Y5\nG1 Y1\nY2\nM2\n", how).records;
     ASSERT_EQ(records.size(), 3U);
     EXPECT_EQ(records[0].target[kY], 6.0);
-    EXPECT_EQ(records[0].tolerance_mm, 0.2);
+    EXPECT_DOUBLE_EQ(records[0].tolerance_mm, 0.15);
 }
 
 TEST(RunFromLine, LeavesTheSpindleOffThatTheProgramHasSwitchedOff) {

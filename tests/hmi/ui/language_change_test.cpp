@@ -159,6 +159,9 @@ TEST_F(LanguageChange, TakesNothingAway) {
     const std::uint64_t edition = window_->context().open_job.edition();
     show_page("layers_page");
     window_->context().layer_cursor.choose_layer(5);
+    part<QAbstractButton>("dry_run").setChecked(true);
+    part<QSpinBox>("layer").setMaximum(40);
+    part<QSpinBox>("layer").setValue(7);
     show_page("profile_page");
     edit("name", "mill");
     ASSERT_EQ(profile().draft().changed_count(), 1U);
@@ -171,6 +174,9 @@ TEST_F(LanguageChange, TakesNothingAway) {
     EXPECT_EQ(window_->context().open_job.job(), job);
     EXPECT_EQ(window_->context().open_job.edition(), edition);
     EXPECT_EQ(window_->context().layer_cursor.place().layer, 5U);
+    EXPECT_TRUE(part<QAbstractButton>("dry_run").isChecked());
+    EXPECT_EQ(window_->findChildren<QObject*>("compare_tool").size(), 1);
+    EXPECT_EQ(part<QSpinBox>("layer").value(), 7);
     EXPECT_EQ(profile().draft().changed_count(), 1U);
 }
 

@@ -77,6 +77,8 @@ public:
         EXPECT_TRUE(wait_for([&] { return status().state == MachineState::ready; }));
         EXPECT_TRUE(send(CommandKind::shutdown));
         thread_.join();
+        segment_.reset();
+        EXPECT_TRUE(Segment::remove(program_segment().name));
     }
     ProgramCore(const ProgramCore&) = delete;
     ProgramCore& operator=(const ProgramCore&) = delete;
@@ -85,6 +87,7 @@ public:
         Command command{};
         command.kind = kind;
         command.value2 = value2;
+        for (std::size_t k = 0; k < kAxisCount; ++k) command.target[k] = static_cast<double>(positions()[k]);
         return send_command(*segment_, command, 60s).has_value();
     }
     CoreStatus status() const {
@@ -124,13 +127,12 @@ public:
 private:
     ProgramAccess access() {
         ProgramAccess programs;
-        programs.open = [this](const std::shared_ptr<Segment>&,
-                               std::uint64_t number) -> Result<std::shared_ptr<plan::StepSource>> {
+        programs.open = [this](std::uint64_t number) -> Result<std::shared_ptr<plan::StepSource>> {
             if (number != kNumber) return Error{ErrorCode::machine_refused, "no such program"};
             const std::lock_guard<std::mutex> lock(mutex_);
             return std::shared_ptr<plan::StepSource>{source_};
         };
-        programs.tell = [this](Segment&, const ProgramStatus& now) {
+        programs.serve = [this](const std::shared_ptr<Segment>&, const ProgramStatus& now) {
             line = now.line;
             starvations = now.starvations;
             is_running = now.is_running != 0;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/program_watch.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/program_text.hpp"
+#include "shared/base/units.hpp"
+#include "shared/segment/segment_program.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+std::string line_text(const ProgramStatus& program) {
+    return "line " + std::to_string(program.line);
+}
+
+}  // namespace
+
+void ProgramWatch::tell_hold(const ProgramStatus& program) {
+    if (program.hold == told_hold_) return;
+    told_hold_ = program.hold;
+    // Every block: the bar tells.
+    if (program.hold == ProgramHold::none || program.hold == ProgramHold::single) return;
+    clear_progress_line();
+    print_note(program_place_text(program));
+}
+
+Result<void> ProgramWatch::look(const CoreStatus& status) {
+    const ProgramStatus program = program_report(link_.segment()).status;
+    tell_hold(program);
+    bar_.relabel(std::string{name_of(status.state)});
+    const double done =
+        line_count_ == 0 ? 0.0 : static_cast<double>(program.line) / static_cast<double>(line_count_);
+    bar_.update(std::min(done, 1.0), line_text(program));
+    return operator_break_.pass_on(link_);
+}
+
+Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& start, ProgramWatch& watch) {
+    const auto before = link.status();
+    if (!before) return before.error();
+    Command command{};
+    command.kind = CommandKind::program;
+    command.value2 = start.program;
+    command.axis = start.is_single ? kProgramIsSingle : 0;
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        command.target[k] = static_cast<double>(start.status.position_pulses[k]);
+    if (const auto sent = link.send(command); !sent) return sent.error();
+    const auto ended = link.wait_for_state({MachineState::ready},
+                                           [&](const CoreStatus& status) { return watch.look(status); });
+    if (!ended) return ended.error();
+    const ProgramReport report = program_report(link.segment());
+    const bool is_whole = report.progress.program == start.program &&
+                          report.progress.end == static_cast<std::uint32_t>(ProgramEnd::ended) &&
+                          report.status.program == start.program && report.status.is_done != 0;
+    if (!is_whole) {
+        return Error{ErrorCode::machine_refused, "the program ended before its end, in " +
+                                                     line_text(report.status) +
+                                                     ": somebody stopped it; --from-line goes on"};
+    }
+    const std::int64_t ticks = static_cast<std::int64_t>(ended->tick - before->tick);
+    return ProgramRun{report.status, seconds_from_ns(ticks * ended->period_ns)};
+}
+
+}  // namespace psicarve::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "hmi/cli/command_set.hpp"
+#include "hmi/cli/operator_break.hpp"
+#include "hmi/cli/progress_bar.hpp"
+#include "hmi/machine/machine_link.hpp"
+#include "shared/machine/program_status.hpp"
+
+namespace psicarve::cli {
+
+/// Watches a running program for the person at the terminal: shows the line, says why it holds, and passes
+/// Ctrl-C on to the core.
+class ProgramWatch {
+public:
+    /// `line_count`: of the program, 0: not known. All outlive this, `operator_break` until the report is
+    /// printed.
+    ProgramWatch(machine::MachineLink& link, OperatorBreak& operator_break, std::uint64_t line_count)
+        : link_(link), operator_break_(operator_break), bar_("starting"), line_count_(line_count) {}
+
+    Result<void> look(const CoreStatus& status);
+
+private:
+    void tell_hold(const ProgramStatus& program);
+
+    machine::MachineLink& link_;
+    OperatorBreak& operator_break_;
+    ProgressBar bar_;
+    std::uint64_t line_count_;
+    ProgramHold told_hold_ = ProgramHold::none;
+};
+
+/// What a program that was run to its end came to.
+struct ProgramRun {
+    ProgramStatus program{};
+    double seconds = 0.0;  ///< of the machine
+};
+
+struct ProgramStart {
+    std::uint64_t program;  ///< its number
+    bool is_single;
+    CoreStatus status;  ///< where the machine stood when the program was read
+};
+/// Asks the core to run the program whose records are being written, and waits until the machine is ready
+/// again. An error when it was not run to its end, or the machine has moved since it was read.
+Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& start, ProgramWatch& watch);
+
+}  // namespace psicarve::cli

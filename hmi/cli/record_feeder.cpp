@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/record_feeder.hpp"
+
+#include <poll.h>
+
+#include <chrono>
+#include <utility>
+
+#include "hmi/gcode/machine_check.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+/// Between two looks at whether it is still wanted.
+constexpr std::chrono::milliseconds kLook{100};
+
+Error given_up() {
+    return Error{ErrorCode::cancelled, "the program was given up"};
+}
+
+}  // namespace
+
+/// Into the ring, however long that takes.
+class RecordFeeder::Sink : public gcode::RecordSink {
+public:
+    explicit Sink(RecordFeeder& feeder) : feeder_(feeder) {}
+
+    Result<void> take(const MotionRecord& record) override {
+        for (;;) {
+            const ProgramPut put = feeder_.writer_.put_for(record, kLook);
+            if (put == ProgramPut::done) {
+                feeder_.records_written_.fetch_add(1);
+                return {};
+            }
+            if (put != ProgramPut::full) return feeder_.writer_.error_of(put);
+            if (feeder_.is_given_up_.load()) return given_up();
+        }
+    }
+
+private:
+    RecordFeeder& feeder_;
+};
+
+/// What the machine has something against is not carried out, and nothing behind it.
+class RecordFeeder::JudgedMotion : public gcode::CanonSink {
+public:
+    JudgedMotion(const Profile& profile, gcode::ProblemList& problems, gcode::RecordMaker& maker)
+        : machine_(profile, problems), problems_(problems), maker_(maker) {}
+
+    void take(const gcode::CanonRecord& record) override {
+        if (is_wrong()) return;
+        machine_.take(record);
+        if (!is_wrong()) maker_.take(record);
+    }
+    bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
+
+private:
+    bool is_wrong() const noexcept { return problems_.error_count() > 0; }
+
+    gcode::MachineCheck machine_;
+    gcode::ProblemList& problems_;
+    gcode::RecordMaker& maker_;
+};
+
+RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer) : writer_(writer) {
+    thread_ = std::thread{[this, profile, program = std::move(program)]() mutable {
+        feed(std::move(program), profile);
+        is_done_.store(true, std::memory_order_release);
+    }};
+}
+
+RecordFeeder::~RecordFeeder() {
+    give_up();
+    wait();
+}
+
+void RecordFeeder::wait() {
+    if (thread_.joinable()) thread_.join();
+}
+
+/// A terminal or a pipe may stay silent: then there must be a way out of the waiting.
+gcode::ByteSource RecordFeeder::patient(gcode::ByteSource bytes, int awaited_fd) const {
+    return [this, read = std::move(bytes), awaited_fd](std::span<char> room) -> Result<std::size_t> {
+        pollfd awaited{awaited_fd, POLLIN, 0};
+        while (!is_given_up_.load()) {
+            if (awaited_fd < 0 || poll(&awaited, 1, static_cast<int>(kLook.count())) > 0) return read(room);
+        }
+        return given_up();
+    };
+}
+
+void RecordFeeder::feed(Program program, const Profile& profile) {
+    Sink sink{*this};
+    gcode::RecordMaker maker{profile, program.run, sink};
+    JudgedMotion motion{profile, problems_, maker};
+    gcode::LineSource lines{patient(std::move(program.bytes), program.awaited_fd)};
+    const auto facts = gcode::interpret_program(lines, program.language, motion, problems_);
+    if (!facts) failure_ = facts.error();
+    if (facts) facts_ = *facts;
+    // Where it breaks off the machine comes to rest in order, spindle off.
+    if (const auto ended = maker.finish(); !ended && !failure_) failure_ = ended.error();
+    writer_.close();
+}
+
+}  // namespace psicarve::cli

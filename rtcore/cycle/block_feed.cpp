@@ -38,10 +38,33 @@ bool BlockFeed::take_next_of_group() noexcept {
 }
 
 const MotionBlock* BlockFeed::next_of_group() const noexcept {
-    if (is_last_of_group()) return nullptr;
+    if (is_last_of_group()) return has_next_group() ? blocks_->front() : nullptr;
     const MotionBlock* const next = blocks_->front();
     const bool belongs = next != nullptr && next->epoch == epoch_ && next->kind == block_.kind;
     return belongs ? next : nullptr;
+}
+
+bool BlockFeed::has_next_group() const noexcept {
+    if (!goes_on()) return false;
+    const MotionBlock* const first = blocks_->ahead(group_blocks_left_);
+    if (first == nullptr || first->epoch != epoch_ || (first->joints & kCarriesOn) == 0) return false;
+    return blocks_->size() - group_blocks_left_ >=
+           std::min<std::size_t>(first->group_blocks, kGroupStartBlocks);
+}
+
+bool BlockFeed::take_next_group() noexcept {
+    if (!has_next_group()) return false;
+    block_ = *blocks_->front();
+    blocks_->pop();
+    group_blocks_left_ = block_.group_blocks - 1;
+    return true;
+}
+
+bool BlockFeed::nears_open_end(std::uint32_t blocks) const noexcept {
+    if (!goes_on()) return false;
+    if (group_blocks_left_ <= blocks) return true;
+    const MotionBlock* const later = blocks_->ahead(blocks - 1);
+    return later == nullptr || later->path.rest_speed2[1] < later->path.end_speed2[1];
 }
 
 bool BlockFeed::drop_foreign_blocks() noexcept {

@@ -11,7 +11,8 @@ namespace psicarve::cycle {
 
 /// Takes the plan's motion blocks from their queue, one after another, and holds the block at hand. Blocks of
 /// dropped plans never become it. A group of lines or path segments begins once all of it is queued, or
-/// kGroupStartBlocks of it: then it cannot run dry. The queue outlives it. RT: yes.
+/// kGroupStartBlocks of it: then it cannot run dry. Groups may follow one another without a rest. The queue
+/// outlives it. RT: yes.
 class BlockFeed {
 public:
     explicit BlockFeed(BlockRing& blocks) noexcept : blocks_(&blocks) {}
@@ -37,8 +38,19 @@ public:
     bool is_last_of_group() const noexcept { return group_blocks_left_ == 0; }
     /// Requires !is_last_of_group(). False: the group breaks off here, and the block at hand stays.
     bool take_next_of_group() noexcept;
-    /// That which take_next_of_group() would take, or nullptr.
+    /// That which comes next without a rest, or nullptr if it is not queued.
     const MotionBlock* next_of_group() const noexcept;
+
+    /// The group at hand goes on in the next one.
+    bool goes_on() const noexcept { return (block_.joints & kGoesOn) != 0; }
+    /// The block at hand carries on a group that has ended before it.
+    bool carries_on() const noexcept { return (block_.joints & kCarriesOn) != 0; }
+    /// It goes on, and the next group may begin: all of that is queued, or kGroupStartBlocks of it.
+    bool has_next_group() const noexcept;
+    /// Requires is_last_of_group(). False: there is no next group yet, or none; the block at hand stays.
+    bool take_next_group() noexcept;
+    /// It goes on, and within so many blocks the speeds leave the plan for a rest at its end.
+    bool nears_open_end(std::uint32_t blocks) const noexcept;
 
     const MotionBlock& block() const noexcept { return block_; }
     /// An axis of the block at hand goes so much further.

@@ -85,6 +85,10 @@ public:
 
     /// It rests, and nothing is queued that it could do next.
     bool is_dry() const noexcept { return !in_motion_ && feed_.is_dry(); }
+    /// In the next tick it would slow down, or rest, because the next group is not queued.
+    bool runs_short() const noexcept {
+        return in_motion_ && feed_.nears_open_end(kSegmentsPerTick) && !feed_.has_next_group();
+    }
     /// Of the block at hand; 0: it has none.
     std::uint64_t program_line() const noexcept { return cycle::program_line(block()); }
     /// After kHalted.
@@ -98,6 +102,9 @@ public:
     std::int64_t latch_correction() const noexcept { return latch_correction_; }
 
 private:
+    // Segments may be shorter than a tick; so many of them end in one, the rest in the next.
+    static constexpr std::uint32_t kSegmentsPerTick = 8;
+
     // executor.cpp: blocks of every kind
     Progress begin(std::uint64_t tick) noexcept;
     Progress begin_motion(std::uint64_t tick) noexcept;

@@ -2,12 +2,7 @@
 #include "rtcore/cycle/executor.hpp"
 
 namespace psicarve::cycle {
-namespace {
-
-// Segments may be shorter than a tick; so many of them end in one, the rest in the next.
-constexpr int kSegmentsPerTick = 8;
-
-}  // namespace
+namespace {}  // namespace
 
 Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
     if (!can_end(block().path)) {
@@ -15,7 +10,12 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
         return kStarved;
     }
     iterations_.start_segment(block());
-    pace_.start(block().path, iterations_.left());
+    pace_.cap(feed_.goes_on() && !feed_.has_next_group());
+    if (feed_.carries_on()) {
+        pace_.start_again(block().path, iterations_.left());
+    } else {
+        pace_.start(block().path, iterations_.left());
+    }
     turn_for_segment(tick);
     return kGroupStarted;
 }
@@ -23,11 +23,12 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
 // At most one iteration a tick, and at most one segment of which is emitted: what else is due is late by a
 // tick, while time goes on.
 Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
+    if (pace_.is_capped() && feed_.has_next_group()) pace_.cap(false);
     pace_.tick();
     if (!iterations_.is_held() && pace_.is_due(iterations_.left())) iterations_.make();
     bool has_stepped = false;
     Progress progress = kNothing;
-    for (int i = 0; i < kSegmentsPerTick; ++i) {
+    for (std::uint32_t i = 0; i < kSegmentsPerTick; ++i) {
         if (iterations_.is_held()) {
             if (!iterations_.emit(*pulses_, tick, still_axes_)) {
                 progress_.note_wait();
@@ -39,10 +40,17 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
         if (!pace_.is_at_end() || !iterations_.are_done()) return progress;
         progress |= reached();
         if (feed_.is_last_of_group()) {
+            // Capped, it has slowed down for a rest here.
+            if (pace_.is_capped() || !feed_.take_next_group()) {
+                in_motion_ = false;
+                return progress;
+            }
+            pace_.cap(feed_.goes_on() && !feed_.has_next_group());
+        } else if (!feed_.take_next_of_group()) {
             in_motion_ = false;
-            return progress;
+            return progress | kStarved;
         }
-        if (!feed_.take_next_of_group() || !can_end(block().path)) {
+        if (!can_end(block().path)) {
             in_motion_ = false;
             return progress | kStarved;
         }

@@ -50,7 +50,14 @@ struct PathTiming {
     std::array<float, kAxisCount> accel_free;  ///< a_k / max|dq_k/du| here [u/s^2]; 1e30 when k does not move
     std::array<float, kAxisCount> accel_bend;  ///< max|d2q_k/du2| / max|dq_k/du| here [1/u]; 0 then
     float start_stop_speed;                    ///< du/dt that may begin and end in a jump [u/s]
+    /// Groups that go on without a rest only: (du/dt)^2 at begin and end of a third profile, within all
+    /// limits, that comes to rest where the group ends; at its begin no lower than [1] there.
+    std::array<double, 2> rest_speed2;
 };
+
+/// How a group of path segments is joined to its neighbours, as bits in each of its blocks.
+inline constexpr std::uint8_t kGoesOn = 1;     ///< without a rest the next group goes on where it ends
+inline constexpr std::uint8_t kCarriesOn = 2;  ///< it is such a next one
 
 /// One piece of motion. Written by the planner, read by the tick. Speeds are those of the long axis: DDA
 /// iterations per second, each iteration at least one pulse. Long, as one entry of the queue has room for
@@ -67,8 +74,8 @@ struct MotionBlock {
     std::uint8_t up_axes;         ///< a run's first block, bit by axis: those with backlash that go up in it,
     std::uint8_t down_axes;  ///< or down, wherever in it they begin to move; their gaps are taken up first
     ProgramHold halt;        ///< halt: never none
-    std::uint8_t reserved;
-    std::uint32_t epoch;         ///< of the plan request it belongs to; others are dropped
+    std::uint8_t joints;     ///< path: kGoesOn, kCarriesOn
+    std::uint32_t epoch;     ///< of the plan request it belongs to; others are dropped
     std::uint32_t group_blocks;  ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;
     double start_speed_per_s;  ///< lines: a group's first block only, as the next three
@@ -85,7 +92,7 @@ struct MotionBlock {
     std::array<std::int32_t, kAxisCount> line_pulses;
     std::int64_t line_done;
 };
-static_assert(sizeof(MotionBlock) <= 216 && std::is_trivially_copyable_v<MotionBlock>);
+static_assert(sizeof(MotionBlock) <= 232 && std::is_trivially_copyable_v<MotionBlock>);
 
 /// Blocks of a program carry its line where those of a job carry the point that they reach. 0: none.
 constexpr std::uint64_t program_line(const MotionBlock& block) noexcept {

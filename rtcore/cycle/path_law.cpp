@@ -20,6 +20,18 @@ void PathLaw::start(const PathTiming& timing) noexcept {
     enter(timing);
 }
 
+void PathLaw::start_again(const PathTiming& timing) noexcept {
+    clock_ = 0.0;
+    is_following_ = false;
+    is_resting_ = false;
+    limits_.enter(timing);
+    bound_target();
+    const SegmentLimits::Profiles profiles = limits_.profiles_at(0.0);
+    const double target2 = is_bitten_ ? capped2_ : target_.of(profiles.low, profiles.high);
+    end_speed_ = std::min(limits_.start_stop_speed(), std::sqrt(target2));
+    enter(timing);
+}
+
 void PathLaw::next(const PathTiming& timing) noexcept {
     end_speed_ = base_speed_;
     enter(timing);
@@ -27,6 +39,7 @@ void PathLaw::next(const PathTiming& timing) noexcept {
 
 void PathLaw::enter(const PathTiming& timing) noexcept {
     limits_.enter(timing);
+    bound_target();
     is_at_end_ = false;
     base_ = 0.0;
     way_ = 0.0;
@@ -41,19 +54,57 @@ void PathLaw::enter(const PathTiming& timing) noexcept {
 
 void PathLaw::aim(double feed_ratio) noexcept {
     if (!target_.aim(feed_ratio)) return;
+    bound_target();
+    restart();
+}
+
+// From where it is and as fast as it is, towards another target.
+void PathLaw::restart() noexcept {
     is_following_ = false;
     const double speed_now = speed();
     base_speed_ = speed_now;
     if (is_resting_ && !target_.is_rest()) {
         const SegmentLimits::Profiles profiles = limits_.profiles_at(way_);
-        base_speed_ =
-            std::min(limits_.start_stop_speed(), std::sqrt(target_.of(profiles.low, profiles.high)));
+        const double target2 =
+            is_bitten_ ? capped2_ + capped_slope_ * way_ : target_.of(profiles.low, profiles.high);
+        base_speed_ = std::min(limits_.start_stop_speed(), std::sqrt(target2));
         is_resting_ = false;
     }
     if (is_at_end_) return;
     base_ = way_;
     clock_ = 0.0;
     begin_piece();
+}
+
+void PathLaw::cap(bool is_capped) noexcept {
+    is_capped_ = is_capped;
+    if (is_capped || !is_bitten_) return;
+    is_bitten_ = false;
+    if (is_resting_) {
+        is_following_ = false;
+    } else {
+        restart();
+    }
+}
+
+// The lower of two timings asks of no axis more than one of them does: at both ends the lower one counts.
+void PathLaw::bound_target() noexcept {
+    is_bitten_ = false;
+    if (!is_capped_) return;
+    const PathTiming& timing = limits_.timing();
+    const double begin2 = target_.of(timing.start_speed2[0], timing.start_speed2[1]);
+    const double end2 = target_.of(timing.end_speed2[0], timing.end_speed2[1]);
+    if (begin2 <= timing.rest_speed2[0] && end2 <= timing.rest_speed2[1]) return;
+    is_bitten_ = true;
+    const double per_tick2 = limits_.period_s() * limits_.period_s();
+    capped2_ = std::min(begin2, timing.rest_speed2[0]) * per_tick2;
+    capped_slope_ = (std::min(end2, timing.rest_speed2[1]) * per_tick2 - capped2_) / timing.length;
+}
+
+double PathLaw::target2_at_end() const noexcept {
+    const PathTiming& timing = limits_.timing();
+    const double planned2 = target_.of(timing.end_speed2[0], timing.end_speed2[1]);
+    return is_bitten_ ? std::min(planned2, timing.rest_speed2[1]) : planned2;
 }
 
 void PathLaw::rest() noexcept {
@@ -103,8 +154,7 @@ void PathLaw::begin_piece() noexcept {
 // To the segment's end in one piece: speed2 is linear in u, so the mean speed in time is the ends' mean.
 void PathLaw::follow() noexcept {
     end_way_ = limits_.timing().length;
-    end_speed_ = std::sqrt(target_.of(limits_.timing().end_speed2[0], limits_.timing().end_speed2[1])) *
-                 limits_.period_s();
+    end_speed_ = std::sqrt(target2_at_end()) * limits_.period_s();
     ends_segment_ = true;
     piece_ticks_ = 2.0 * (end_way_ - base_) / (base_speed_ + end_speed_);
     half_accel_ = 0.5 * (end_speed_ - base_speed_) / piece_ticks_;
@@ -113,7 +163,8 @@ void PathLaw::follow() noexcept {
 // A tick at most towards the target.
 void PathLaw::steer() noexcept {
     const SegmentLimits::Profiles profiles = limits_.profiles_at(base_);
-    const double target2 = target_.of(profiles.low, profiles.high);
+    const double target2 = is_bitten_ ? std::max(0.0, capped2_ + capped_slope_ * base_)
+                                      : target_.of(profiles.low, profiles.high);
     const double speed2 = base_speed_ * base_speed_;
     const double gap = target2 - speed2;
     if (std::fabs(gap) <= kMetRatio * target2) {
@@ -128,9 +179,11 @@ void PathLaw::steer() noexcept {
         follow();
         return;
     }
-    cut_short(profiles, gap,
-              gap > 0.0 ? limits_.rising_accel(profiles, base_speed_)
-                        : limits_.falling_accel(profiles, base_speed_));
+    double accel = gap > 0.0 ? limits_.rising_accel(profiles, base_speed_)
+                             : limits_.falling_accel(profiles, base_speed_);
+    // Below the profile that rests in time it stays: along a part of it.
+    if (gap < 0.0 && is_capped_) accel = std::min(accel, limits_.resting_accel(base_, base_speed_));
+    cut_short(profiles, gap, accel);
 }
 
 // A piece of this acceleration ends after a tick, or sooner: on the target, at speed 0, at the segment's end.
@@ -145,7 +198,9 @@ void PathLaw::cut_short(const SegmentLimits::Profiles& profiles, double gap, dou
         way = 0.5 * base_speed_ * piece_ticks_;
         end_speed_ = 0.0;
     }
-    const double closing = 2.0 * accel - target_.of(profiles.low_slope, profiles.high_slope);
+    const double target_slope =
+        is_bitten_ ? capped_slope_ : target_.of(profiles.low_slope, profiles.high_slope);
+    const double closing = 2.0 * accel - target_slope;
     bool is_cut = false;
     if (gap * closing > 0.0 && gap / closing < way) {
         way = gap / closing;

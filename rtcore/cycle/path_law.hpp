@@ -29,12 +29,19 @@ public:
 
     /// A run begins from rest, as fast as its target does.
     void start(const PathTiming& timing) noexcept;
+    /// It goes on from a rest at an open end: with a jump to the start-stop speed at most.
+    void start_again(const PathTiming& timing) noexcept;
     /// The next segment, with the time that was left over. Requires is_at_end().
     void next(const PathTiming& timing) noexcept;
 
     /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest() is called. From
     /// rest it starts again, with a jump to the start-stop speed at most.
     void aim(double feed_ratio) noexcept;
+
+    /// Called before a segment is entered, with true at a group's begin alone: in this one and those after it
+    /// it stays below their profile that rests where what is queued ends. Lifted at any time.
+    void cap(bool is_capped) noexcept;
+    bool is_capped() const noexcept { return is_capped_; }
 
     /// One tick passes. Requires that it does not rest.
     void tick() noexcept {
@@ -69,6 +76,9 @@ private:
     static constexpr double kMostSpareTicks = 2.0;
 
     void enter(const PathTiming& timing) noexcept;
+    void restart() noexcept;
+    void bound_target() noexcept;
+    double target2_at_end() const noexcept;
     void finish_pieces() noexcept;
     void begin_piece() noexcept;
     void follow() noexcept;
@@ -90,6 +100,11 @@ private:
     bool is_at_end_ = true;
     bool is_following_ = true;  ///< on the target
     bool is_resting_ = false;
+
+    bool is_capped_ = false;
+    bool is_bitten_ = false;  ///< the cap is lower than the target in the segment at hand
+    double capped2_ = 0.0;    ///< then: the lower of both at its begin, per tick, and its slope
+    double capped_slope_ = 0.0;
 
     PathTarget target_;
     SegmentLimits limits_;

@@ -26,9 +26,14 @@ class PathPace {
 public:
     explicit PathPace(double period_s) noexcept : law_(period_s) {}
 
-    /// A run begins, from rest. Both require that the segment can_end().
+    /// A run begins, from rest. All three require that the segment can_end().
     void start(const PathTiming& timing, std::int64_t iterations) noexcept {
         law_.start(timing);
+        spread(timing, iterations);
+    }
+    /// A run that has come to rest at an open end goes on.
+    void start_again(const PathTiming& timing, std::int64_t iterations) noexcept {
+        law_.start_again(timing);
         spread(timing, iterations);
     }
     /// The run's next segment. Requires is_at_end().
@@ -51,6 +56,9 @@ public:
     /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest().
     void aim(double feed_ratio) noexcept { law_.aim(feed_ratio); }
     bool is_slowest() const noexcept { return law_.is_slowest(); }
+    /// From the next segment on, or, lifted, from now on: no faster than for a rest at the group's end.
+    void cap(bool is_capped) noexcept { law_.cap(is_capped); }
+    bool is_capped() const noexcept { return law_.is_capped(); }
     void rest() noexcept { law_.rest(); }
 
 private:

@@ -20,6 +20,7 @@ void set_timing(const MachineLimits& limits, const PathPiece& piece, cycle::Path
     for (std::size_t k = 0; k < timing.start_speed2.size(); ++k) {
         timing.start_speed2[k] = limits.pace * limits.pace * piece.begin_speed2[k];
         timing.end_speed2[k] = limits.pace * limits.pace * piece.end_speed2[k];
+        timing.rest_speed2[k] = limits.pace * limits.pace * piece.rest_speed2[k];
     }
     Vec slope, bend;
     load(piece.slope, slope);

@@ -60,14 +60,16 @@ PieceMaker::PieceMaker(const MachineLimits& limits, std::span<const PathPoint> p
     load(start, bits_begin_);
 }
 
-void PieceMaker::begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2,
-                            const Timings& end2) {
+void PieceMaker::begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2, const Timings& end2,
+                            const std::array<double, 2>& rest2) {
     cell_ = &cell;
     cell_at_ = at;
     begin2_ = begin2;
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         rise2_[timing] = (end2[timing] - begin2[timing]) / cell.length;
     }
+    rest_begin2_ = rest2[0];
+    rest_rise2_ = (rest2[1] - rest2[0]) / cell.length;
 }
 
 void PieceMaker::add(double from, double to, std::uint32_t point) {
@@ -89,6 +91,7 @@ void PieceMaker::add_bit(double from, double to) {
     Bit& bit = bits_.emplace_back();
     bit.length = to - from;
     bit.along = begin_along + bit.length;
+    bit.rest_speed2 = {rest_begin2_ + from * rest_rise2_, rest_begin2_ + to * rest_rise2_};
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
         bit.begin_speed2[timing] = begin2_[timing] + from * rise2_[timing];
         bit.end_speed2[timing] = begin2_[timing] + to * rise2_[timing];
@@ -296,6 +299,7 @@ void PieceMaker::add_piece(std::size_t first, std::size_t end, const Pulses4& to
     at_pulses_ = to;
     piece.begin_speed2 = bits_[first].begin_speed2;
     piece.end_speed2 = bits_[end - 1].end_speed2;
+    piece.rest_speed2 = {bits_[first].rest_speed2[0], bits_[end - 1].rest_speed2[1]};
     piece.length = 0.5 * seconds * (bits_[first].begin_speed[0] + bits_[end - 1].end_speed[0]);
     // In stretched u slopes are as much flatter.
     const double stretch = length / piece.length;

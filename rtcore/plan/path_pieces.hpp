@@ -31,6 +31,8 @@ struct PathPiece {
     Lanes slope;          ///< greatest |dq/du| in it [pulses/s]
     Lanes bend;           ///< greatest |d2q/du2| [pulses/s^2]
     std::uint32_t point;  ///< index of the path point it reaches, or kNoPoint
+    std::array<double, 2>
+        rest_speed2{};  ///< at its begin and end: of the profile that comes to rest (PathTiming)
 };
 
 /// Into how many bits of equal length a part of a cell is cut, each as good as straight: DDA segments end at
@@ -46,7 +48,8 @@ public:
                const Lanes& start, std::vector<PathPiece>& pieces);
 
     /// The cell that the next add() is about: where it begins, and the speeds at its ends.
-    void begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2, const Timings& end2);
+    void begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2, const Timings& end2,
+                    const std::array<double, 2>& rest2 = {});
     /// A part of the cell; `point` is what its end stands on, or kNoPoint. A point ends a segment.
     void add(double from, double to, std::uint32_t point);
 
@@ -64,6 +67,7 @@ private:
         Timings end_speed;
         Timings begin_speed2;
         Timings end_speed2;
+        std::array<double, 2> rest_speed2;
     };
     /// Bits in a row, from one that a segment begins with: how long they take together.
     struct Together {
@@ -110,6 +114,8 @@ private:
     Lanes cell_at_{};
     Timings begin2_{};
     Timings rise2_{};  ///< of the speeds, per u
+    double rest_begin2_ = 0.0;
+    double rest_rise2_ = 0.0;
 };
 
 }  // namespace psicarve::plan

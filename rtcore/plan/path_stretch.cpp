@@ -24,16 +24,16 @@ constexpr double kAccelShare = 0.985;
 // Less of the time at an axis' acceleration than that: no other curve would be faster by much.
 constexpr double kLeastLimitedShare = 0.1;
 
-Lanes accel_of(const MachineLimits& limits) {
+}  // namespace
+
+Lanes curve_accel(const MachineLimits& limits) {
     Lanes accel;
     for (std::size_t k = 0; k < kAxisCount; ++k) accel[k] = kAccelShare * limits.axes[k].accel_pps2;
     return accel;
 }
 
-}  // namespace
-
 StretchPlanner::StretchPlanner(const MachineLimits& limits)
-    : limits_(limits), accel_(accel_of(limits)), fit_(accel_), timing_(accel_) {
+    : limits_(limits), accel_(curve_accel(limits)), fit_(accel_), timing_(accel_) {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         mm_per_pulse_[k] = 1.0 / limits.axes[k].pulses_per_unit;
         inverse_speed_[k] = 1.0 / (kSpeedShare * limits.axes[k].speed_pps);
@@ -53,6 +53,8 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
               spans.begin() + static_cast<std::ptrdiff_t>(last),
               spans_.begin() + static_cast<std::ptrdiff_t>(first));
     curve_.nodes = curve_nodes(limits_, points, spans_, corners, first, last, std::move(curve_.nodes));
+    decided_.clear();
+    first_node_ = 0;
     curve_.times.is_within = fit(points);
     time(spans);
     if (!spans[first].is_link) bend_evenly(points, spans);
@@ -74,7 +76,7 @@ void StretchPlanner::time(std::span<const PathSpan> spans) {
     const double end2 = std::min(stop_speed2(limits_, spans[last - 1].slope, after),
                                  stop_speed2(limits_, curve_.cells.back().slope_end, after));
     for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
-        bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
+        if (decided_.empty()) bound2_[timing].front() = std::min(bound2_[timing].front(), begin2);
         bound2_[timing].back() = std::min(bound2_[timing].back(), end2);
     }
     timing_.set_path(curve_.cells);
@@ -114,17 +116,19 @@ void StretchPlanner::bend_evenly(std::span<const PathPoint> points, std::span<co
 // curve fitted again around there. False if it is still outside somewhere, a tube being narrowed only so far,
 // or if no curve was found that comes close to what was asked for.
 bool StretchPlanner::fit(std::span<const PathPoint> points) {
-    const NodeRange whole{0, curve_.nodes.step.size() - 1};
+    const NodeRange whole{first_node_, curve_.nodes.step.size() - 1};
+    curve_.control.resize(whole.last + 1);
+    std::copy(decided_.begin(), decided_.end(), curve_.control.begin());
     ranges_.assign(1, whole);
     bool is_stuck = false;
-    bool is_found = true;
+    is_found_ = true;
     for (int fits = 1;; ++fits) {
         const auto is_fitted = [this](const NodeRange& range) { return fit_again(range); };
         const bool is_good =
             fits == 1 ? fit_in_windows() : std::all_of(ranges_.begin(), ranges_.end(), is_fitted);
         if (!is_good) {
             ranges_.assign(1, whole);
-            is_found = fit_whole();
+            is_found_ = fit_whole();
         }
         cells_of(curve_.nodes, curve_.control, curve_.cells, curve_.cell_at);
         if (fits == kMostFits) return false;
@@ -132,7 +136,7 @@ bool StretchPlanner::fit(std::span<const PathPoint> points) {
         stuck_.clear();
         for (const NodeRange& range : ranges_) narrow(points, range);
         is_stuck = !bend_least_where_stuck() || is_stuck;
-        if (narrowed_.empty()) return is_found && (!is_stuck || is_within(points));
+        if (narrowed_.empty()) return is_found_ && (!is_stuck || is_within(points));
         gather_narrowed_ranges();
         for (const std::uint32_t span : narrowed_)
             bind_again(limits_, points, spans_, node_of(span), curve_.nodes);
@@ -147,7 +151,7 @@ void StretchPlanner::narrow(std::span<const PathPoint> points, const NodeRange& 
 bool StretchPlanner::is_within(std::span<const PathPoint> points) {
     narrowed_.clear();
     stuck_.clear();
-    narrow(points, {0, curve_.nodes.step.size() - 1});
+    narrow(points, {first_node_, curve_.nodes.step.size() - 1});
     return narrowed_.empty() && stuck_.empty();
 }
 
@@ -155,7 +159,7 @@ bool StretchPlanner::is_within(std::span<const PathPoint> points) {
 // again. False if they do already.
 bool StretchPlanner::bend_least_where_stuck() {
     constexpr Lanes kEven{1.0, 1.0, 1.0, 1.0};
-    const std::size_t first = curve_.nodes.span_at.front();
+    const std::size_t first = curve_.nodes.span_at[first_node_];
     const std::size_t last = curve_.nodes.span_at.back();
     bool is_eased = true;
     for (const std::uint32_t span : stuck_) {
@@ -180,7 +184,7 @@ std::size_t StretchPlanner::node_of(std::size_t span) const {
 }
 
 void StretchPlanner::gather_narrowed_ranges() {
-    const std::size_t first = curve_.nodes.span_at.front();
+    const std::size_t first = curve_.nodes.span_at[first_node_];
     const std::size_t last = curve_.nodes.span_at.back();
     ranges_.clear();
     for (const std::uint32_t span : narrowed_) {
@@ -195,18 +199,21 @@ void StretchPlanner::gather_narrowed_ranges() {
 }
 
 bool StretchPlanner::fit_whole() {
-    fit_.solve(NodesView::of(curve_.nodes));
-    curve_.control = fit_.control();
+    const std::size_t last = curve_.nodes.step.size() - 1;
+    const std::span<const Lanes> control{curve_.control};
+    fit_.solve(NodesView::of(curve_.nodes, first_node_, last),
+               {control.subspan(first_node_, decided_.empty() ? 0 : 2), {}});
+    std::copy(fit_.control().begin(), fit_.control().end(),
+              curve_.control.begin() + static_cast<std::ptrdiff_t>(first_node_));
     return fit_.has_converged();
 }
 
 // From begin to end. How the curve goes on many spans later changes nothing where it is: what was fitted
 // beyond a window is fitted again with the next one. False if one of them was not found.
 bool StretchPlanner::fit_in_windows() {
-    curve_.control.resize(curve_.nodes.step.size());
     const std::size_t last_span = curve_.nodes.span_at.back();
-    std::size_t span = curve_.nodes.span_at.front();
-    for (NodeRange range{0, 0};; range.first = node_of(span)) {
+    std::size_t span = curve_.nodes.span_at[first_node_];
+    for (NodeRange range{first_node_, 0};; range.first = node_of(span)) {
         span += kSpansAWindow;
         const bool is_last = span + kSpansAround >= last_span;
         range.last = is_last ? curve_.nodes.step.size() - 1 : node_of(span + kSpansAround);

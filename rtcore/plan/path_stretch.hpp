@@ -11,6 +11,7 @@
 #include "rtcore/plan/curve_check.hpp"
 #include "rtcore/plan/curve_fit.hpp"
 #include "rtcore/plan/curve_nodes.hpp"
+#include "rtcore/plan/curve_part.hpp"
 #include "rtcore/plan/path.hpp"
 #include "rtcore/plan/path_pieces.hpp"
 #include "rtcore/plan/speed_profile.hpp"
@@ -20,6 +21,9 @@ namespace psicarve::plan {
 /// The parabolas of a B-spline, one a node, and where each begins [pulses].
 void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vector<PathCell>& cells,
               std::vector<Lanes>& cell_at);
+
+/// What timings and curves leave each axis of its acceleration [pulses/s^2].
+Lanes curve_accel(const MachineLimits& limits);
 
 /// Makes a path of points into timed pieces: curve, timing, curve and timing again where that is faster,
 /// cuts. Keeps its memory from stretch to stretch.
@@ -33,6 +37,14 @@ public:
                 std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                 std::vector<PathPiece>& pieces);
 
+    /// Points [from, last] of a path that begins at rest in `from`, or there goes on where the part decided
+    /// before has ended: then at least two points come before it, as they were. The curve as far as `to` is
+    /// decided for good; how the path goes on behind `last` does not matter, if that is a few dozen points
+    /// later, or `to` itself, where it rests. Fills an empty part. False, and nothing decided, if no such
+    /// curve was found.
+    bool decide(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                std::span<const PathCorner> corners, const DecidedPoints& at, CurvePart& part);
+
 private:
     /// A fitted curve and its timings.
     struct Curve {
@@ -44,6 +56,10 @@ private:
         FittedTimes times;
     };
 
+    void go_on_from(std::uint32_t point);
+    void take_part(std::span<const PathPoint> points, std::span<const PathSpan> spans,
+                   const DecidedPoints& at, CurvePart& part);
+    double rest_speed2(std::span<const PathSpan> spans, std::size_t point, const Lanes& slope) const;
     bool fit(std::span<const PathPoint> points);
     void time(std::span<const PathSpan> spans);
     void bend_evenly(std::span<const PathPoint> points, std::span<const PathSpan> spans);
@@ -73,6 +89,11 @@ private:
     std::vector<std::uint32_t> narrowed_;
     std::vector<std::uint32_t> stuck_;  ///< spans outside whose bands are as narrow as they may be
     std::vector<NodeRange> ranges_;     ///< around those
+    /// Of a path that goes on: control points before its first node, at it and after it. Then one node stands
+    /// before the first, and of its cell only the second half counts.
+    std::vector<Lanes> decided_;
+    std::size_t first_node_ = 0;
+    bool is_found_ = true;
     Curve curve_;
     Curve least_bent_;
     std::vector<std::array<bool, 2>> is_fed_;  ///< by cell and head: a part of it may cut

@@ -28,11 +28,22 @@ constexpr double kRampParts = 4.0;
 constexpr double kRampsApart = 1.25;
 // Whole numbers of a longer line would not fit.
 constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
+// Where a curve goes on, its nodes in the way before follow from the one before that.
+constexpr std::size_t kPointsBefore = 2;
 // More than a window of ways can have.
 constexpr int kMostStepsAtOnce = 4096;
 // More would be no tolerance of this machine's any more; less is exact to the pulse.
 constexpr double kMostTolerances = 1000.0;
 constexpr double kLeastTolerance = 0.001;
+
+double seconds_along(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
+    double length2 = 0.0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double seconds = static_cast<double>(to[k] - from[k]) / limits.axes[k].speed_pps;
+        length2 += seconds * seconds;
+    }
+    return std::sqrt(length2);
+}
 
 // A rest may be left any way at once: what was jumped to it and what is jumped from it are not more than one
 // jump together.
@@ -47,8 +58,13 @@ MachineLimits program_limits(MachineLimits limits) {
 
 RecordProgram::RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
                              const Pulses4& start_pulses, bool is_single)
-    : machine_(limits), limits_(program_limits(limits)), source_(std::move(source)), is_single_(is_single) {
+    : machine_(limits),
+      limits_(program_limits(limits)),
+      source_(std::move(source)),
+      is_single_(is_single),
+      speeds_(limits_, curve_accel(limits_)) {
     points_.push_back({start_pulses, 0, 0, false});
+    ways_.push_back({});
 }
 
 bool RecordProgram::next(MotionBlock& block) {
@@ -120,26 +136,31 @@ void RecordProgram::take_way(const ProgramStep& step) {
     // An exact way has no tube of the ways before it.
     const double before_mm = tolerance_mm_;
     if (before_mm > 0.0 && (is_exact || step.tolerance_mm != before_mm)) come_to_rest();
+    // What is decided already has a tube for ways along which Y stands.
+    const bool lifts = step.target_pulses[kY] != points_.back().pulses[kY];
+    if (is_open_ && lifts && !has_lifts_) come_to_rest();
     if (!is_exact) tolerance_mm_ = step.tolerance_mm;
     if (step.target_pulses != points_.back().pulses) add_way(step);
     const bool halts = is_single_ && step.ends_block;
-    if (is_exact || halts || points_.size() > kWindowPoints) come_to_rest();
+    if (is_exact || halts) {
+        come_to_rest();
+    } else if (points_.size() > begin_ + kPartPoints + kTailPoints) {
+        go_ahead();
+    }
     if (halts) halt(ProgramHold::single, step.line);
 }
 
 // Near its ends a long way gets points of its own, on the chord to half a pulse.
 void RecordProgram::add_way(const ProgramStep& step) {
     const Pulses4 from = points_.back().pulses;
+    const std::size_t first = points_.size();
     Lanes way;
-    double length2 = 0.0;
     double longest_pulses = 0.0;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         way[k] = static_cast<double>(step.target_pulses[k] - from[k]);
-        const double seconds = way[k] / limits_.axes[k].speed_pps;
-        length2 += seconds * seconds;
         longest_pulses = std::max(longest_pulses, std::abs(way[k]));
     }
-    const double length = std::sqrt(length2);
+    const double length = seconds_along(limits_, from, step.target_pulses);
     std::vector<double> shares;
     const auto parts = static_cast<int>(std::ceil(longest_pulses / static_cast<double>(kLongestWayPulses)));
     for (int part = 1; part < parts; ++part) shares.push_back(static_cast<double>(part) / parts);
@@ -163,26 +184,74 @@ void RecordProgram::add_way(const ProgramStep& step) {
             points_.push_back({on_the_way, 0, 0, false});
     }
     points_.push_back({step.target_pulses, 0, 0, false});
-    ways_.push_back({step.line, step.seconds, step.is_rapid, points_.size() - 1});
+    ways_.resize(points_.size(), {step.line, least_pace2(step, first)});
+}
+
+// Along the way, points from `first` on, u passes at most as fast as its least time allows.
+Timings RecordProgram::least_pace2(const ProgramStep& step, std::size_t first) const {
+    double length = 0.0;
+    for (std::size_t i = first; i < points_.size(); ++i)
+        length += seconds_along(limits_, points_[i - 1].pulses, points_[i].pulses);
+    const double pace = step.seconds / length;
+    const double quickest = step.is_rapid ? 1.0 : 1.0 / kFeedFactor[1];
+    return {pace * pace, quickest * quickest * pace * pace};
 }
 
 // Plans all that was gathered; the next window begins where it ends.
 void RecordProgram::come_to_rest() {
-    if (!ways_.empty()) {
-        set_limits();
-        spans_ = path_spans(limits_, points_);
-        pace_spans();
-        corners_ = path_corners(limits_, spans_);
-        std::size_t first = 0;
-        for (std::size_t i = 1; i < points_.size(); ++i) {
-            if (i + 1 < points_.size() && !corners_[i - 1].is_stop) continue;
-            plan_stretch(first, i);
-            first = i;
-        }
+    if (points_.size() > begin_ + 1) {
+        look_at_spans();
+        plan_stretch(plan_up_to_rests(), points_.size() - 1);
     }
-    points_.erase(points_.begin(), points_.end() - 1);
-    ways_.clear();
+    rest_at(points_.size() - 1);
     tolerance_mm_ = 0.0;
+}
+
+// Plans what does not depend on how the way goes on.
+void RecordProgram::go_ahead() {
+    look_at_spans();
+    const std::size_t rest = plan_up_to_rests();
+    if (rest > begin_) return rest_at(rest);
+    const std::size_t to = points_.size() - 1 - kTailPoints;
+    if (decide_part(to)) return;
+    // No curve goes on within the tube: there is a rest where it has come to, or where it would have.
+    if (is_open_) {
+        end_run();
+        return rest_at(begin_);
+    }
+    plan_stretch(begin_, to);
+    rest_at(to);
+}
+
+/// As far as the last corner that asks for a rest; none: begin_.
+std::size_t RecordProgram::plan_up_to_rests() {
+    std::size_t first = begin_;
+    for (std::size_t i = begin_ + 1; i + 1 < points_.size(); ++i) {
+        if (!corners_[i - 1].is_stop) continue;
+        plan_stretch(first, i);
+        first = i;
+    }
+    return first;
+}
+
+// The machine rests there, and all before it is planned.
+void RecordProgram::rest_at(std::size_t point) {
+    drop_points(point);
+    begin_ = 0;
+    is_open_ = false;
+}
+
+void RecordProgram::drop_points(std::size_t count) {
+    points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count));
+    ways_.erase(ways_.begin(), ways_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+// Tubes of a stretch that goes on stay as they were.
+void RecordProgram::look_at_spans() {
+    if (!is_open_) set_limits();
+    spans_ = path_spans(limits_, points_);
+    for (std::size_t i = 0; i < spans_.size(); ++i) spans_[i].least_pace2 = ways_[i + 1].least_pace2;
+    corners_ = path_corners(limits_, spans_);
 }
 
 void RecordProgram::set_limits() {
@@ -190,28 +259,43 @@ void RecordProgram::set_limits() {
     const double given_mm = tolerance_mm_ > 0.0 ? tolerance_mm_ : machine_.path_tolerance_mm;
     const double least_mm = kLeastTolerance * machine_.path_tolerance_mm;
     const double most_mm = kMostTolerances * machine_.path_tolerance_mm;
-    const double share = std::any_of(points_.begin(), points_.end(), lifts) ? kShareOfTwo : 1.0;
+    has_lifts_ = std::any_of(points_.begin(), points_.end(), lifts);
+    const double share = has_lifts_ ? kShareOfTwo : 1.0;
     limits_.path_tolerance_mm = share * std::clamp(given_mm, least_mm, most_mm);
     if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
     planned_tolerance_mm_ = limits_.path_tolerance_mm;
     stretches_.emplace(limits_);
 }
 
-// Along each way u passes at most as fast as its least time allows.
-void RecordProgram::pace_spans() {
-    std::size_t span = 0;
-    for (const Way& way : ways_) {
-        const std::size_t first = span;
-        double length = 0.0;
-        for (; span < way.last_point; ++span) length += spans_[span].length;
-        const double pace = way.seconds / length;
-        const double quickest = way.is_rapid ? 1.0 : 1.0 / kFeedFactor[1];
-        for (std::size_t i = first; i < span; ++i)
-            spans_[i].least_pace2 = {pace * pace, quickest * quickest * pace * pace};
+// The curve as far as this point; the part before it is settled. False: there is none.
+bool RecordProgram::decide_part(std::size_t to) {
+    CurvePart part;
+    if (!stretches_->decide(points_, spans_, corners_, {begin_, to, points_.size() - 1}, part)) return false;
+    part.lines = lines_of(begin_, to);
+    if (is_open_) {
+        settle(std::move(part));
+    } else {
+        speeds_.hold(std::move(part));
+        carries_on_ = false;
     }
+    is_open_ = true;
+    drop_points(to - kPointsBefore);
+    begin_ = kPointsBefore;
+    return true;
 }
 
 void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
+    if (is_open_ && first == begin_) {
+        is_open_ = false;
+        CurvePart part;
+        const bool is_decided = stretches_->decide(points_, spans_, corners_, {first, last, last}, part);
+        if (is_decided) {
+            part.lines = lines_of(first, last);
+            settle(std::move(part));
+        }
+        end_run();
+        if (is_decided) return;
+    }
     pieces_.clear();
     if (last == first + 1) {
         Pulses4 way;
@@ -221,15 +305,42 @@ void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
     } else {
         stretches_->plan(points_, spans_, corners_, first, last, pieces_);
     }
+    for (PathPiece& piece : pieces_) {
+        if (piece.point != PathPiece::kNoPoint) piece.point -= static_cast<std::uint32_t>(first);
+    }
+    add_group(lines_of(first, last), 0);
+}
+
+void RecordProgram::settle(CurvePart part) {
+    const std::vector<std::uint64_t> lines = speeds_.held().lines;
+    pieces_.clear();
+    speeds_.settle(std::move(part), pieces_);
+    add_group(lines, carries_on_ ? cycle::kGoesOn | cycle::kCarriesOn : cycle::kGoesOn);
+    carries_on_ = true;
+}
+
+void RecordProgram::end_run() {
+    const std::vector<std::uint64_t> lines = speeds_.held().lines;
+    pieces_.clear();
+    speeds_.end(pieces_);
+    add_group(lines, carries_on_ ? cycle::kCarriesOn : 0);
+}
+
+std::vector<std::uint64_t> RecordProgram::lines_of(std::size_t first, std::size_t last) const {
+    std::vector<std::uint64_t> lines;
+    for (std::size_t i = first; i <= last; ++i) lines.push_back(ways_[i].line);
+    return lines;
+}
+
+// The pieces as a group of blocks; `lines` by point.
+void RecordProgram::add_group(std::span<const std::uint64_t> lines, unsigned joints) {
     const std::size_t begin = blocks_.size();
-    std::size_t point = first + 1;
-    auto way = std::lower_bound(ways_.begin(), ways_.end(), point,
-                                [](const Way& of, std::size_t at) { return of.last_point < at; });
+    std::size_t point = 1;
     for (const PathPiece& piece : pieces_) {
         MotionBlock& block = blocks_.emplace_back(path_block(machine_, piece));
-        set_program_line(block, way->line);
-        if (piece.point == PathPiece::kNoPoint) continue;
-        if (piece.point == way->last_point && way + 1 != ways_.end()) ++way;
+        block.joints = static_cast<std::uint8_t>(joints);
+        set_program_line(block, lines[point]);
+        if (piece.point != PathPiece::kNoPoint && piece.point + 1 < lines.size()) point = piece.point + 1;
     }
     blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
     note_gaps(machine_, std::span(blocks_).subspan(begin));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rtcore/plan/machine_limits.hpp"
@@ -13,20 +14,30 @@
 #include "rtcore/plan/path_stretch.hpp"
 #include "rtcore/plan/program.hpp"
 #include "rtcore/plan/program_step.hpp"
+#include "rtcore/plan/receding_speeds.hpp"
 
 namespace psicarve::plan {
 
 /// A program of motion records by look-ahead. Ways are gathered until something brings the machine to rest:
 ///
-///     exact end | tolerance changes | dwell, spindle, stop, end | kWindowPoints since the last rest
+///     exact end | tolerance changes | dwell, spindle, stop, end
 ///
-/// and only then planned, as far as they go: so curves, cuts and pulses follow from the program alone, never
-/// from when its records came. Holds one such window in memory.
+/// or until there are so many points that a part of the way can be decided for good, whatever comes behind:
+///
+///     rest                                                                     | gathered so far
+///       |-- kPartPoints --|-- kPartPoints --|-- kPartPoints --|-- kTailPoints --|
+///         settled: a group   settled now       curve decided     will be fitted again
+///         that goes on       (RecedingSpeeds)
+///
+/// So curves, cuts and pulses follow from the program alone, never from when its records came. Holds no more
+/// than that in memory.
 class RecordProgram final : public Program {
 public:
-    /// So many path points from one rest to the next at most: what they take of the queue's room and of time
-    /// to plan is little, and a stop after so many of a dense program's points costs next to nothing.
-    static constexpr std::size_t kWindowPoints = 2048;
+    /// A part is longer than what the axes take to come to rest; blocks for two of them fill the queue by
+    /// half at most.
+    static constexpr std::size_t kPartPoints = 512;
+    /// How the path goes on so many points later does not bend it.
+    static constexpr std::size_t kTailPoints = 32;
 
     /// `is_single`: a halt after each block of the program.
     RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
@@ -36,12 +47,10 @@ public:
     bool is_waiting() const override { return is_waiting_; }
 
 private:
-    /// Of the program; its path points may be several.
+    /// What a way of the program asks for, at each of its path points.
     struct Way {
         std::uint64_t line;
-        double seconds;  ///< least
-        bool is_rapid;
-        std::size_t last_point;
+        Timings least_pace2;
     };
 
     bool make_blocks();
@@ -49,9 +58,19 @@ private:
     void take_way(const ProgramStep& step);
     void add_way(const ProgramStep& step);
     void come_to_rest();
-    void plan_stretch(std::size_t first, std::size_t last);
+    void go_ahead();
+    std::size_t plan_up_to_rests();
+    void rest_at(std::size_t point);
+    void drop_points(std::size_t count);
+    void look_at_spans();
     void set_limits();
-    void pace_spans();
+    bool decide_part(std::size_t to);
+    void plan_stretch(std::size_t first, std::size_t last);
+    void settle(CurvePart part);
+    void end_run();
+    Timings least_pace2(const ProgramStep& step, std::size_t first) const;
+    std::vector<std::uint64_t> lines_of(std::size_t first, std::size_t last) const;
+    void add_group(std::span<const std::uint64_t> lines, unsigned joints);
     void halt(ProgramHold hold, std::uint64_t line);
     void switch_spindle(bool is_on, std::uint64_t line);
     void dwell(std::int64_t ticks, std::uint64_t line);
@@ -66,12 +85,17 @@ private:
     bool is_ended_ = false;
     std::uint64_t line_ = 0;  ///< of the step taken last
 
-    // The window at hand: from where the machine rests.
+    // The window at hand, from where the machine rests or the curve is decided up to.
     std::vector<PathPoint> points_;
-    std::vector<Way> ways_;
+    std::vector<Way> ways_;   ///< by point: that which reaches it
+    std::size_t begin_ = 0;   ///< index of that point; points before it only show where the path comes from
+    bool is_open_ = false;    ///< no rest there: the part before is held in speeds_
+    bool has_lifts_ = false;  ///< Y moves in the stretch at hand
     double tolerance_mm_ = 0.0;  ///< 0: none of its ways has one
 
     std::optional<StretchPlanner> stretches_;  ///< for limits_
+    RecedingSpeeds speeds_;
+    bool carries_on_ = false;  ///< the part held there goes on behind a group that was made
     double planned_tolerance_mm_ = -1.0;
     std::vector<PathSpan> spans_;
     std::vector<PathCorner> corners_;

@@ -54,13 +54,14 @@ public:
         return has_run;
     }
 
-    /// The program that runs has not been written on, and all that was is done: time stands still until it
-    /// is, or something is asked for. So how quickly somebody writes does not show in the trace.
+    /// The program that runs has not been written on, and all that was is done, or what is left is the way to
+    /// slow down on: time stands still until it is, or something is asked for. So how quickly somebody writes
+    /// does not show in the trace.
     bool awaits_steps() {
         if (!parts_->cycle->awaits_blocks() || parts_->io->requests.size() > 0) return false;
         if (parts_->io->urgent.failures.load() != 0) return false;
         if (parts_->planner->wants_poll()) plan();
-        return parts_->planner->is_waiting() && parts_->io->blocks.size() == 0;
+        return parts_->planner->is_waiting() && parts_->cycle->awaits_blocks();
     }
 
     /// While a reader is behind: what was asked for takes effect, and nothing else happens.

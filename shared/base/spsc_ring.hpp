@@ -38,6 +38,13 @@ public:
         return &entries_[head & (kCapacity - 1)];
     }
 
+    /// Reader only. The entry that front() would be after so many pop(), or nullptr; valid until it is
+    /// popped.
+    const T* ahead(std::size_t pops) const noexcept {
+        return pops < size() ? &entries_[(head_.load(std::memory_order_relaxed) + pops) & (kCapacity - 1)]
+                             : nullptr;
+    }
+
     /// Reader only. Requires that front() was not nullptr.
     void pop() noexcept { head_.store(head_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Programs too long to be planned at once: part by part, without a rest between them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "rtcore/plan/path_stretch.hpp"
+#include "tests/rtcore/plan/program_blocks.hpp"
+
+namespace psicarve::plan {
+namespace {
+
+using cycle::BlockKind;
+using cycle::MotionBlock;
+using test::block_seconds;
+using test::kStartPulses;
+using test::program_blocks;
+using test::Script;
+using test::ScriptedSource;
+
+/// A dense program: waves of all its axes with a noise of whole pulses, no corner that asks for a rest.
+Script dense_program(std::uint64_t seed, int ways, unsigned axes, double step_pulses = 20.0) {
+    std::mt19937_64 random{seed};
+    std::array<double, kAxisCount> phase{};
+    for (double& of_axis : phase) of_axis = static_cast<double>(random() % 628) * 0.01;
+    Script script{kStartPulses};
+    Pulses4 at{};
+    for (int i = 1; i <= ways; ++i) {
+        Pulses4 to{};
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((axes >> k & 1U) == 0) continue;
+            const double turn = 0.01 * i * (1.0 + 0.3 * static_cast<double>(k));
+            const double wave = 100.0 * step_pulses * (std::sin(turn + phase[k]) - std::sin(phase[k]));
+            to[k] = k == kPsi ? static_cast<std::int64_t>(step_pulses * i) : std::llround(wave * 0.3);
+        }
+        Pulses4 way{};
+        for (std::size_t k = 0; k < kAxisCount; ++k) way[k] = to[k] - at[k];
+        script.way(way, 0.02, random() % 3 == 0 ? 0.002 : 0.0);
+        at = to;
+    }
+    script.end();
+    return script;
+}
+
+struct Groups {
+    std::vector<std::vector<MotionBlock>> groups;
+    double seconds = 0.0;
+    int runs = 0;  ///< from rest to rest
+};
+
+Groups groups_of(const std::vector<MotionBlock>& blocks) {
+    Groups all;
+    for (const MotionBlock& block : blocks) {
+        if (block.kind != BlockKind::path) continue;
+        if (block.group_blocks > 0) all.groups.emplace_back();
+        all.groups.back().push_back(block);
+        all.seconds += block_seconds(block, 0);
+        all.runs += block.group_blocks > 0 && (block.joints & cycle::kCarriesOn) == 0 ? 1 : 0;
+    }
+    return all;
+}
+
+/// All of a program's points as one stretch, planned at once.
+double seconds_at_once(const Script& script) {
+    MachineLimits limits = machine_limits(Profile{});
+    limits.is_program = true;
+    limits.feed_mm_s = 1e9;
+    for (AxisMotion& axis : limits.axes) axis.start_stop_pps *= 0.5;
+    limits.path_tolerance_mm = 0.02;
+    std::vector<PathPoint> points{{kStartPulses, 0, 0, false}};
+    std::vector<double> least_s;
+    bool lifts = false;
+    for (const ProgramStep& step : script.steps) {
+        if (step.kind != MotionKind::way || step.target_pulses == points.back().pulses) continue;
+        points.push_back({step.target_pulses, 0, 0, false});
+        least_s.push_back(step.seconds);
+        lifts = lifts || step.target_pulses[kY] != kStartPulses[kY];
+    }
+    if (lifts) limits.path_tolerance_mm *= 0.7;
+    auto spans = path_spans(limits, points);
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const double pace = least_s[i] / spans[i].length;
+        spans[i].least_pace2 = {pace * pace, 0.25 * pace * pace};
+    }
+    const auto corners = path_corners(limits, spans);
+    for (const PathCorner& corner : corners) EXPECT_FALSE(corner.is_stop);
+    StretchPlanner planner(limits);
+    std::vector<PathPiece> pieces;
+    planner.plan(points, spans, corners, 0, points.size() - 1, pieces);
+    double seconds = 0.0;
+    for (const PathPiece& piece : pieces)
+        seconds += cell_seconds(piece.length, piece.begin_speed2[0], piece.end_speed2[0]);
+    return seconds;
+}
+
+TEST(ProgramHorizon, GoesThroughTwentyThousandWaysWithoutARest) {
+    const Script script = dense_program(1, 20'000, 0b1101);
+    const Groups all = groups_of(program_blocks(script.steps));
+    EXPECT_EQ(all.runs, 1);
+    EXPECT_GE(all.groups.size(), 38U);
+    Pulses4 at = kStartPulses;
+    for (const auto& group : all.groups) {
+        EXPECT_LE(group.size(), cycle::kGroupStartBlocks);
+        for (const MotionBlock& block : group) {
+            for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
+        }
+    }
+    EXPECT_EQ(at, script.at());
+}
+
+TEST(ProgramHorizon, TakesAsLongAsIfAllWasPlannedAtOnce) {
+    for (const unsigned axes : {0b0101U, 0b1001U, 0b1111U}) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const Script script = dense_program(seed, 3000, axes);
+            const Groups all = groups_of(program_blocks(script.steps));
+            EXPECT_EQ(all.runs, 1);
+            const double at_once_s = seconds_at_once(script);
+            EXPECT_LE(all.seconds, 1.01 * at_once_s) << "axes " << axes << " seed " << seed;
+        }
+    }
+}
+
+TEST(ProgramHorizon, NeverJumpsFromGroupToGroupAndCanRestFromEachBegin) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const double step = seed % 2 == 0 ? 20.0 : 3.0;
+        const Groups all = groups_of(program_blocks(dense_program(seed, 3000, 0b1101, step).steps));
+        ASSERT_EQ(all.runs, 1);
+        for (std::size_t g = 0; g < all.groups.size(); ++g) {
+            const auto& group = all.groups[g];
+            const bool is_last = g + 1 == all.groups.size();
+            for (std::size_t i = 0; i < group.size(); ++i) {
+                const MotionBlock& block = group[i];
+                ASSERT_EQ(block.joints, (g > 0 ? cycle::kCarriesOn : 0) | (is_last ? 0 : cycle::kGoesOn));
+                if (i == 0 && g == 0) continue;
+                const MotionBlock& before = i > 0 ? group[i - 1] : all.groups[g - 1].back();
+                for (std::size_t t = 0; t < 2; ++t) {
+                    ASSERT_NEAR(block.path.start_speed2[t], before.path.end_speed2[t],
+                                1e-9 * before.path.end_speed2[t]);
+                    ASSERT_GE(block.path.start_speed2[1], block.path.start_speed2[0] * (1 - 1e-12));
+                }
+                if (i > 0 && !is_last) {
+                    ASSERT_NEAR(block.path.rest_speed2[0], before.path.rest_speed2[1],
+                                1e-9 * before.path.rest_speed2[1]);
+                }
+            }
+            if (is_last) continue;
+            EXPECT_GE(group.front().path.rest_speed2[0], group.front().path.start_speed2[1] * (1 - 1e-9));
+            const double rest = std::sqrt(group.back().path.rest_speed2[1]);
+            EXPECT_LE(rest, 0.51 * group.back().path.start_stop_speed) << "group " << g;
+            EXPECT_GT(group.back().path.end_speed2[0], group.back().path.rest_speed2[1]);
+        }
+    }
+}
+
+TEST(ProgramHorizon, MakesTheSameBlocksWheneverItsStepsCome) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const auto steps = dense_program(seed, 2200, seed % 2 == 0 ? 0b1101 : 0b0101).steps;
+        const auto at_once = program_blocks(steps);
+        auto source = std::make_shared<ScriptedSource>(steps);
+        source->written = 0;
+        RecordProgram program(machine_limits(Profile{}), source, kStartPulses);
+        std::mt19937_64 random{seed};
+        std::vector<MotionBlock> blocks;
+        MotionBlock block;
+        for (;;) {
+            if (program.next(block)) {
+                blocks.push_back(block);
+            } else if (program.is_waiting()) {
+                source->written += random() % 40;
+            } else {
+                break;
+            }
+        }
+        ASSERT_EQ(at_once.size(), blocks.size());
+        EXPECT_EQ(std::memcmp(at_once.data(), blocks.data(), blocks.size() * sizeof block), 0);
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::plan

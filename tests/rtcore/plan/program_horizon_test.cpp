@@ -19,34 +19,11 @@ namespace {
 using cycle::BlockKind;
 using cycle::MotionBlock;
 using test::block_seconds;
+using test::dense_program;
 using test::kStartPulses;
 using test::program_blocks;
 using test::Script;
 using test::ScriptedSource;
-
-/// A dense program: waves of all its axes with a noise of whole pulses, no corner that asks for a rest.
-Script dense_program(std::uint64_t seed, int ways, unsigned axes, double step_pulses = 20.0) {
-    std::mt19937_64 random{seed};
-    std::array<double, kAxisCount> phase{};
-    for (double& of_axis : phase) of_axis = static_cast<double>(random() % 628) * 0.01;
-    Script script{kStartPulses};
-    Pulses4 at{};
-    for (int i = 1; i <= ways; ++i) {
-        Pulses4 to{};
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            if ((axes >> k & 1U) == 0) continue;
-            const double turn = 0.01 * i * (1.0 + 0.3 * static_cast<double>(k));
-            const double wave = 100.0 * step_pulses * (std::sin(turn + phase[k]) - std::sin(phase[k]));
-            to[k] = k == kPsi ? static_cast<std::int64_t>(step_pulses * i) : std::llround(wave * 0.3);
-        }
-        Pulses4 way{};
-        for (std::size_t k = 0; k < kAxisCount; ++k) way[k] = to[k] - at[k];
-        script.way(way, 0.02, random() % 3 == 0 ? 0.002 : 0.0);
-        at = to;
-    }
-    script.end();
-    return script;
-}
 
 struct Groups {
     std::vector<std::vector<MotionBlock>> groups;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -112,6 +114,31 @@ inline Script random_program(std::uint64_t seed, const Pulses4& start_pulses, st
         if (random() % 40 == 0) script.dwell(0.01);
         if (random() % 60 == 0) script.spindle(random() % 2 == 0);
         if (random() % 60 == 0) script.stop();
+    }
+    script.end();
+    return script;
+}
+
+/// A dense program: waves of all its axes with a noise of whole pulses, no corner that asks for a rest.
+inline Script dense_program(std::uint64_t seed, int ways, unsigned axes, double step_pulses = 20.0,
+                            const Pulses4& start_pulses = {6000, 6200, 100, 3000}) {
+    std::mt19937_64 random{seed};
+    std::array<double, kAxisCount> phase{};
+    for (double& of_axis : phase) of_axis = static_cast<double>(random() % 628) * 0.01;
+    Script script{start_pulses};
+    Pulses4 at{};
+    for (int i = 1; i <= ways; ++i) {
+        Pulses4 to{};
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            if ((axes >> k & 1U) == 0) continue;
+            const double turn = 0.01 * i * (1.0 + 0.3 * static_cast<double>(k));
+            const double wave = 100.0 * step_pulses * (std::sin(turn + phase[k]) - std::sin(phase[k]));
+            to[k] = k == kPsi ? static_cast<std::int64_t>(step_pulses * i) : std::llround(wave * 0.3);
+        }
+        Pulses4 way{};
+        for (std::size_t k = 0; k < kAxisCount; ++k) way[k] = to[k] - at[k];
+        script.way(way, 0.02, random() % 3 == 0 ? 0.002 : 0.0);
+        at = to;
     }
     script.end();
     return script;

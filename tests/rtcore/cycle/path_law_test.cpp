@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "tests/rtcore/cycle/path_rig.hpp"
 #include "tests/rtcore/cycle/timed_curve.hpp"
@@ -24,8 +25,27 @@ class Drive {
 public:
     explicit Drive(const TimedCurve& curve) : curve_(curve), law_(kPathTick_s) {}
 
+    /// From the segment at hand, or from the begin, to this one is all that is queued.
+    void queue_up_to(std::size_t segments) {
+        queued_ = segments;
+        rest2_ = curve_.rest_speed2(segments);
+        law_.cap(true);
+    }
+    void queue_all() {
+        queued_ = 0;
+        law_.cap(false);
+    }
+    /// It has come to the end of what is queued.
+    void go_on() {
+        queue_all();
+        law_.start_again(curve_.blocks()[segment].path);
+        jumped_ = true;
+        remember();
+    }
+    bool is_capped() const { return queued_ > 0; }
+
     void start() {
-        law_.start(curve_.blocks()[0].path);
+        law_.start(path_at(0));
         jumped_ = true;
         remember();
     }
@@ -39,7 +59,7 @@ public:
             jumped_ = true;
         }
     }
-    /// False at the curve's end.
+    /// False at the curve's end, or that of what is queued.
     bool tick() {
         ++ticks;
         if (feed == 0.0 && law_.is_slowest()) {
@@ -51,8 +71,9 @@ public:
         }
         law_.tick();
         while (law_.is_at_end()) {
-            if (++segment == curve_.segments()) return false;
-            law_.next(curve_.blocks()[segment].path);
+            ++segment;
+            if (segment == curve_.segments() || segment == queued_) return false;
+            law_.next(path_at(segment));
         }
         judge();
         remember();
@@ -74,6 +95,12 @@ public:
     double most_accel = 0.0;
 
 private:
+    PathTiming path_at(std::size_t at) const {
+        PathTiming path = curve_.blocks()[at].path;
+        const double per_s2 = 1.0 / (kPathTick_s * kPathTick_s);
+        if (queued_ > 0) path.rest_speed2 = {rest2_[at] * per_s2, rest2_[at + 1] * per_s2};
+        return path;
+    }
     void judge() {
         const CurveLimits& limits = curve_.limits();
         const Axis4 slope = curve_.slope(segment, law_.way());
@@ -92,6 +119,11 @@ private:
         jumped_ = false;
         ASSERT_LE(speed2, curve_.speed2(1, segment, law_.way()) * kSlack + kStandingSpeed2)
             << "tick " << ticks;
+        if (queued_ > 0) {
+            const double part = law_.way() / curve_.blocks()[segment].path.length;
+            const double rest2 = rest2_[segment] + (rest2_[segment + 1] - rest2_[segment]) * part;
+            ASSERT_LE(speed2, rest2 * kSlack + kStandingSpeed2) << "tick " << ticks;
+        }
         if (has_met_) {
             ASSERT_LE(speed2, target2() * kSlack + kStandingSpeed2) << "tick " << ticks;
         }
@@ -107,6 +139,8 @@ private:
     Axis4 axis_speed_{};
     bool jumped_ = false;
     bool has_met_ = false;
+    std::size_t queued_ = 0;     ///< segments; 0: all
+    std::vector<double> rest2_;  ///< at their nodes
 };
 
 CurveLimits random_limits(std::uint64_t seed) {
@@ -148,6 +182,38 @@ TEST(PathLaw, KeepsEveryAxisWithinItsLimitsThroughAnyHoldResumeAndOverride) {
         most_accel = std::max(most_accel, sut.most_accel);
     }
     EXPECT_GT(most_accel, 0.999);
+}
+
+// Wherever what is queued ends: it rests there, or goes on in time, and no axis is asked for more than it
+// has.
+TEST(PathLaw, RestsWhereWhatIsQueuedEndsThroughAnyHoldResumeAndOverride) {
+    const std::uint64_t seeds = test::is_thorough() ? 120 : 24;
+    int rests = 0;
+    for (std::uint64_t seed = 1; seed <= seeds && !::testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE(seed);
+        const TimedCurve curve(seed, 400, random_limits(seed));
+        std::mt19937_64 random(seed);
+        Drive sut(curve);
+        sut.queue_up_to(40 + random() % 340);
+        sut.start();
+        const std::uint64_t lifted = seed % 2 == 0 ? 1000 + random() % 20'000 : ~std::uint64_t{0};
+        std::uint64_t until = seed % 4 < 2 ? random() % 2000 : ~std::uint64_t{0};
+        while (!::testing::Test::HasFatalFailure()) {
+            if (!sut.tick()) {
+                if (sut.segment == curve.segments()) break;
+                ++rests;
+                sut.go_on();
+            }
+            if (sut.is_capped() && sut.ticks >= lifted) sut.queue_all();
+            if (sut.ticks >= until) {
+                sut.aim(random_feed(random));
+                until = sut.ticks + 1 + random() % (random() % 2 == 0 ? 100 : 4000);
+            }
+            ASSERT_LT(sut.ticks, 20'000'000U);
+        }
+        EXPECT_EQ(sut.segment, curve.segments());
+    }
+    EXPECT_GT(rests, 0);
 }
 
 // A straight line along one axis, 0.4 pulses a tick, feed-bound: speeds and times are those of the textbook.

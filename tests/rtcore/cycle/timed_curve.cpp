@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "tests/rtcore/cycle/path_rig.hpp"
 
@@ -138,15 +139,30 @@ std::vector<double> TimedCurve::caps(double feed) const {
 }
 
 std::vector<double> TimedCurve::timed(double feed) const {
-    std::vector<double> most = caps(feed);
+    return timed_within(caps(feed));
+}
+
+std::vector<double> TimedCurve::timed_within(std::vector<double> most) const {
     Axis4 accel = limits_.accel;
     for (double& limit : accel) limit *= 1.0 - 1e-8;
     const auto bounds = [&](std::size_t i) {
         return bounds_of({length_, slope_[i], slope_[i + 1], bend_[i]}, accel);
     };
-    for (std::size_t i = segments(); i-- > 0;) most[i] = largest_start(bounds(i), most[i], most[i + 1]);
-    for (std::size_t i = 0; i < segments(); ++i) most[i + 1] = largest_end(bounds(i), most[i], most[i + 1]);
+    const std::size_t count = most.size() - 1;
+    for (std::size_t i = count; i-- > 0;) most[i] = largest_start(bounds(i), most[i], most[i + 1]);
+    for (std::size_t i = 0; i < count; ++i) most[i + 1] = largest_end(bounds(i), most[i], most[i + 1]);
     return most;
+}
+
+std::vector<double> TimedCurve::rest_speed2(std::size_t segments) const {
+    std::vector<double> most = caps(1e9);
+    most.resize(segments + 1);
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double slope = slope_[segments][k];
+        if (slope != 0.0)
+            most.back() = std::min(most.back(), std::pow(limits_.jump[k] / std::fabs(slope), 2));
+    }
+    return timed_within(std::move(most));
 }
 
 Axis4 TimedCurve::slope(std::size_t segment, double way) const {

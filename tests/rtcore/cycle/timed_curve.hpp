@@ -36,6 +36,9 @@ public:
     const Axis4& bend(std::size_t segment) const { return bend_[segment]; }
     /// The square of the planned speed there, profile 0 or 1 [per tick^2].
     double speed2(std::size_t profile, std::size_t segment, double way) const;
+    /// At the nodes of the first segments: the square of the greatest speed within the axes' limits from
+    /// which the last of them ends at rest, and that a motion from the begin has [per tick^2].
+    std::vector<double> rest_speed2(std::size_t segments) const;
     /// With whole pulses; every tenth segment's end is a point.
     const std::vector<MotionBlock>& blocks() const { return blocks_; }
 
@@ -43,6 +46,7 @@ private:
     void shape(std::uint64_t seed, std::size_t segments);
     std::vector<double> caps(double feed) const;
     std::vector<double> timed(double feed) const;
+    std::vector<double> timed_within(std::vector<double> most) const;
     void fill_blocks();
 
     CurveLimits limits_;

@@ -59,6 +59,34 @@ protected:
         text << "M2\n";
         return text.str();
     }
+    /// Many short ways along a curve on which nothing asks for a rest.
+    static std::string dense_program(int lines) {
+        std::ostringstream text;
+        text << "G21 G90 G94 F600\nG0 X50 Z50 Y10 C0\n";
+        for (int i = 0; i < lines; ++i) {
+            text << "G1 X" << 48.0 + 2.0 * std::cos(0.02 * i) << " Y" << 10.0 + 2.0 * std::sin(0.02 * i)
+                 << " C" << 0.1 * i << "\n";
+        }
+        text << "M2\n";
+        return text.str();
+    }
+    /// With a reader that is stopped now and then, or without: the whole trace.
+    std::string trace_of(const std::string& text, bool pauses) {
+        const std::string trace = file(pauses ? "paused.trace" : "plain.trace");
+        start_homed({"--trace", trace});
+        const auto running = begin({program(text)});
+        for (int n = 0; pauses && n < 20 && !running->has_ended(); ++n) {
+            running->send(SIGSTOP);
+            std::this_thread::sleep_for(std::chrono::milliseconds{20});
+            running->send(SIGCONT);
+            std::this_thread::sleep_for(std::chrono::milliseconds{2});
+        }
+        EXPECT_EQ(running->wait(), 0) << running->error();
+        EXPECT_EQ(program_status().starvations, 0U);
+        core_->send(SIGTERM);
+        core_->wait();
+        return text_of(trace);
+    }
 };
 
 TEST_F(RunProgram, BringsEveryAxisToThePulseWhereItEnds) {
@@ -185,25 +213,12 @@ TEST_F(RunProgram, HoldsWhereItsReaderWasKilled) {
 
 // How quickly the reader writes, and whether it is stopped in between, does not show in the pulses.
 TEST_F(RunProgram, GivesTheSamePulsesHoweverItsReaderPauses) {
-    std::vector<std::string> traces;
-    for (const bool pauses : {false, true}) {
-        const std::string trace = file(pauses ? "paused.trace" : "plain.trace");
-        start_homed({"--trace", trace});
-        const auto running = begin({program(long_program(kIsSanitized ? 9'000 : 30'000))});
-        for (int n = 0; pauses && n < 20 && !running->has_ended(); ++n) {
-            running->send(SIGSTOP);
-            std::this_thread::sleep_for(std::chrono::milliseconds{20});
-            running->send(SIGCONT);
-            std::this_thread::sleep_for(std::chrono::milliseconds{2});
-        }
-        EXPECT_EQ(running->wait(), 0) << running->error();
-        EXPECT_EQ(program_status().starvations, 0U);
-        core_->send(SIGTERM);
-        core_->wait();
-        traces.push_back(text_of(trace));
+    const int lines = kIsSanitized ? 9'000 : 30'000;
+    for (const std::string& text : {long_program(lines), dense_program(lines)}) {
+        const std::string plain = trace_of(text, false);
+        EXPECT_GT(plain.size(), 10'000U);
+        EXPECT_TRUE(plain == trace_of(text, true));
     }
-    EXPECT_GT(traces[0].size(), 10'000U);
-    EXPECT_TRUE(traces[0] == traces[1]);
 }
 
 TEST_F(RunProgram, SaysThatItEndsBeforeTheLineToBeginWith) {

@@ -135,6 +135,27 @@ TEST(ProgramHorizon, NeverJumpsFromGroupToGroupAndCanRestFromEachBegin) {
     }
 }
 
+// Where a part is too short to come to rest within, what it begins with is as slow as that.
+TEST(ProgramHorizon, GoesNoFasterThanThePartAheadCanStop) {
+    Profile profile;
+    profile.psi.accel_deg_s2 = 20.0;
+    profile.psi.start_stop_deg_s = 1.0;
+    Script script{kStartPulses};
+    for (int i = 0; i < 6000; ++i) script.way({0, 0, 1, 0}, 0.02);
+    script.end();
+    const Groups all = groups_of(program_blocks(script.steps, false, profile));
+    ASSERT_EQ(all.runs, 1);
+    ASSERT_GE(all.groups.size(), 11U);
+    bool is_bound = false;
+    for (const auto& group : all.groups) {
+        const cycle::PathTiming& first = group.front().path;
+        if ((group.front().joints & cycle::kGoesOn) == 0) continue;
+        EXPECT_GE(first.rest_speed2[0], first.start_speed2[1] * (1 - 1e-9));
+        is_bound = is_bound || first.rest_speed2[0] < first.start_speed2[1] * 1.01;
+    }
+    EXPECT_TRUE(is_bound);
+}
+
 TEST(ProgramHorizon, MakesTheSameBlocksWheneverItsStepsCome) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const auto steps = dense_program(seed, 2200, seed % 2 == 0 ? 0b1101 : 0b0101).steps;

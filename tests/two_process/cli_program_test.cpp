@@ -2,6 +2,7 @@
 // `psicarve gcode run` on a core: two real processes, and the ring between them.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <memory>
@@ -69,6 +70,15 @@ protected:
         }
         text << "M2\n";
         return text.str();
+    }
+    /// What is written into it is run as it comes.
+    std::ofstream begin_stream(const std::string& name) const {
+        const std::string pipe = file(name);
+        EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+        const std::string command = "exec " + in_build("bin/psicarve") + " gcode run - --segment " +
+                                    segment_ + " < " + pipe + " > /dev/null 2> " + file("said");
+        EXPECT_EQ(std::system(("( " + command + " ) & echo $! > " + file("pid")).c_str()), 0);
+        return std::ofstream{pipe};
     }
     /// With a reader that is stopped now and then, or without: the whole trace.
     std::string trace_of(const std::string& text, bool pauses) {
@@ -281,15 +291,35 @@ TEST_F(RunProgram, IsNotBegunElsewhereThanItWasReadFor) {
     EXPECT_TRUE(eventually([&] { return program_status().is_done != 0; }));
 }
 
+// A stream that pauses in the midst of motion: virtual time waits for it, at speed.
+TEST_F(RunProgram, GivesTheSamePulsesHoweverItsBlocksCome) {
+    const std::string text = dense_program(2200);
+    std::vector<std::string> traces;
+    for (const bool pauses : {false, true}) {
+        const std::string trace = file(pauses ? "bursts.trace" : "stream.trace");
+        start_homed({"--trace", trace});
+        std::ofstream out = begin_stream(pauses ? "bursts" : "stream");
+        // Enough to set out with, and then more slowly than the core runs it.
+        for (std::size_t given = 0, end = 0; given < text.size(); given = end) {
+            const std::size_t burst = !pauses ? text.size() : given == 0 ? 31'000 : 2'500;
+            end = std::min(text.size(), given + burst);
+            out << text.substr(given, end - given) << std::flush;
+            if (pauses) std::this_thread::sleep_for(std::chrono::milliseconds{120});
+        }
+        ASSERT_TRUE(eventually([&] { return program_status().is_done != 0; }));
+        EXPECT_EQ(program_status().starvations, 0U);
+        core_->send(SIGTERM);
+        core_->wait();
+        traces.push_back(text_of(trace));
+    }
+    EXPECT_GT(traces[0].size(), 10'000U);
+    EXPECT_TRUE(traces[0] == traces[1]);
+}
+
 /// A pipe that stays open: the program comes block by block.
 TEST_F(RunProgram, RunsWhatStandardInputGivesAsItComes) {
     start_homed();
-    const std::string pipe = file("pipe");
-    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    const std::string command = "exec " + in_build("bin/psicarve") + " gcode run - --segment " + segment_ +
-                                " < " + pipe + " > /dev/null 2> " + file("said");
-    ASSERT_EQ(std::system(("( " + command + " ) & echo $! > " + file("pid")).c_str()), 0);
-    std::ofstream out{pipe};
+    std::ofstream out = begin_stream("pipe");
     out << "G21 G90 F300\nG0 X40\nG1 X41\nG4 P0.1\n" << std::flush;
     ASSERT_TRUE(eventually([&] { return pulses(Axis::r1) == 16'400; }));
     EXPECT_NE(state(), MachineState::ready);

@@ -45,6 +45,20 @@ TEST(SpscRing, PushFailsWhenFullAndOverwritesNothing) {
     }
 }
 
+TEST(SpscRing, ShowsWhatIsBehindItsFront) {
+    SpscRing<int, 4> sut;
+    for (int round = 0; round < 10; ++round) {
+        EXPECT_EQ(sut.ahead(0), nullptr);
+        for (int i = 0; i < 3; ++i) ASSERT_TRUE(sut.push(10 * round + i));
+        for (std::size_t i = 0; i < 3; ++i) {
+            ASSERT_NE(sut.ahead(i), nullptr);
+            EXPECT_EQ(*sut.ahead(i), 10 * round + static_cast<int>(i));
+        }
+        EXPECT_EQ(sut.ahead(3), nullptr);
+        for (int i = 0; i < 3; ++i) sut.pop();
+    }
+}
+
 TEST(SpscRing, GoesRoundManyTimes) {
     SpscRing<std::uint64_t, 8> sut;
     std::uint64_t read = 0;

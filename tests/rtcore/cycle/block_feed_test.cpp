@@ -100,6 +100,66 @@ TEST(BlockFeed, ShowsNothingBehindTheGroup) {
     EXPECT_EQ(rig.sut.next_of_group(), nullptr);
 }
 
+/// A group of two that goes on, and of one that carries it on, all of it `next_blocks` long.
+void push_joined(FeedRig& rig, std::uint32_t next_blocks, std::uint32_t next_epoch = 0) {
+    for (const std::uint32_t group_blocks : {2U, 0U}) {
+        MotionBlock block = feed_block(BlockKind::path, 0, group_blocks);
+        block.joints = kGoesOn;
+        ASSERT_TRUE(rig.ring->push(block));
+    }
+    MotionBlock next = feed_block(BlockKind::path, next_epoch, next_blocks);
+    next.joints = kCarriesOn;
+    next.point = 9;
+    ASSERT_TRUE(rig.ring->push(next));
+}
+
+TEST(BlockFeed, GoesOnInTheNextGroupOnceAllOfItIsQueued) {
+    FeedRig rig;
+    push_joined(rig, 2);
+    ASSERT_TRUE(rig.sut.take_first());
+    EXPECT_TRUE(rig.sut.goes_on());
+    EXPECT_FALSE(rig.sut.carries_on());
+    EXPECT_FALSE(rig.sut.has_next_group());
+    ASSERT_TRUE(rig.sut.take_next_of_group());
+    EXPECT_EQ(rig.sut.next_of_group(), nullptr);
+    EXPECT_FALSE(rig.sut.take_next_group());
+    ASSERT_TRUE(rig.ring->push(feed_block(BlockKind::path, 0)));
+    EXPECT_TRUE(rig.sut.has_next_group());
+    ASSERT_NE(rig.sut.next_of_group(), nullptr);
+    EXPECT_EQ(rig.sut.next_of_group()->point, 9U);
+    ASSERT_TRUE(rig.sut.take_next_group());
+    EXPECT_EQ(rig.sut.block().point, 9U);
+    EXPECT_TRUE(rig.sut.carries_on());
+    EXPECT_FALSE(rig.sut.goes_on());
+    EXPECT_TRUE(rig.sut.take_next_of_group());
+    EXPECT_TRUE(rig.sut.is_last_of_group());
+}
+
+TEST(BlockFeed, GoesOnInNoGroupOfAnotherPlan) {
+    FeedRig rig;
+    push_joined(rig, 1, 1);
+    ASSERT_TRUE(rig.sut.take_first());
+    EXPECT_FALSE(rig.sut.has_next_group());
+}
+
+TEST(BlockFeed, NearsAnOpenEndWhereSpeedsLeaveThePlanForARest) {
+    FeedRig rig;
+    for (std::uint32_t k = 0; k < 20; ++k) {
+        MotionBlock block = feed_block(BlockKind::path, 0, k == 0 ? 20 : 0);
+        block.joints = kGoesOn;
+        block.path.end_speed2 = {1.0, 1.0};
+        block.path.rest_speed2 = {2.0, k < 10 ? 2.0 : 0.5};
+        ASSERT_TRUE(rig.ring->push(block));
+    }
+    ASSERT_TRUE(rig.sut.take_first());
+    for (std::uint32_t k = 0; k < 20; ++k) {
+        EXPECT_EQ(rig.sut.nears_open_end(4), k + 4 >= 10) << k;
+        if (k + 1 < 20) {
+            ASSERT_TRUE(rig.sut.take_next_of_group());
+        }
+    }
+}
+
 TEST(BlockFeed, BreaksAGroupOffAtAnEmptyQueueAnotherEpochOrAnotherKind) {
     const MotionBlock others[] = {feed_block(BlockKind::path, 1), feed_block(BlockKind::line, 0)};
     for (const MotionBlock& other : others) {

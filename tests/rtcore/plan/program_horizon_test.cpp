@@ -156,6 +156,71 @@ TEST(ProgramHorizon, GoesNoFasterThanThePartAheadCanStop) {
     EXPECT_TRUE(is_bound);
 }
 
+// What is decided has tubes of its own for ways along which Y stands still.
+TEST(ProgramHorizon, RestsOnceWhereYBeginsToMove) {
+    for (const std::size_t planar : {400U, 1500U}) {
+        Script script = dense_program(5, 3000, 0b0101);
+        Pulses4 at{};
+        for (std::size_t i = planar; i + 1 < script.steps.size(); ++i)
+            script.steps[i].target_pulses[kY] += static_cast<std::int64_t>(i - planar + 1);
+        const auto blocks = program_blocks(script.steps);
+        EXPECT_EQ(groups_of(blocks).runs, planar < RecordProgram::kPartPoints ? 1 : 2);
+        for (const MotionBlock& block : blocks) {
+            for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
+        }
+        const Pulses4 to = script.steps[script.steps.size() - 2].target_pulses;
+        for (std::size_t k = 0; k < kAxisCount; ++k) EXPECT_EQ(at[k], to[k] - kStartPulses[k]);
+    }
+}
+
+// From part to part no axis with backlash begins to move or turns round: the gap is crossed at rest.
+TEST(ProgramHorizon, CrossesGapsAtRestAlone) {
+    Profile profile;
+    profile.r1.backlash_mm = 0.02;
+    profile.y.backlash_mm = 0.03;
+    const MachineLimits limits = machine_limits(profile);
+    int all_joined = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        // An axis goes one way, or stands still, for up to three parts.
+        std::mt19937_64 random{seed};
+        Script script{kStartPulses};
+        Pulses4 way{0, 0, 20, 0};
+        std::array<int, kAxisCount> until{};
+        for (int i = 0; i < 5000; ++i) {
+            for (const std::size_t k : {std::size_t{0}, kY}) {
+                if (i < until[k]) continue;
+                until[k] = i + 1 + static_cast<int>(random() % (3 * RecordProgram::kPartPoints));
+                way[k] = static_cast<std::int64_t>(random() % 3) - 1;
+            }
+            script.way(way, 0.02);
+        }
+        const auto blocks = program_blocks(script.end().steps, false, profile);
+        std::array<int, kAxisCount> ways{};
+        std::uint8_t up = 0;
+        std::uint8_t down = 0;
+        int joined = 0;
+        for (const MotionBlock& block : blocks) {
+            const bool begins = block.group_blocks > 0;
+            const bool carries_on = (block.joints & cycle::kCarriesOn) != 0;
+            joined += begins && carries_on ? 1 : 0;
+            if (begins && !carries_on) {
+                up = block.up_axes;
+                down = block.down_axes;
+                for (std::size_t k = 0; k < kAxisCount; ++k) {
+                    if ((up >> k & 1U) != 0) ways[k] = 1;
+                    if ((down >> k & 1U) != 0) ways[k] = -1;
+                }
+            }
+            for (std::size_t k = 0; k < kAxisCount; ++k) {
+                if (limits.tick.axes[k].backlash_pulses == 0 || block.delta_pulses[k] == 0) continue;
+                ASSERT_EQ(block.delta_pulses[k] > 0 ? 1 : -1, ways[k]) << "seed " << seed << " axis " << k;
+            }
+        }
+        all_joined += joined;
+    }
+    EXPECT_GT(all_joined, 12);
+}
+
 TEST(ProgramHorizon, MakesTheSameBlocksWheneverItsStepsCome) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const auto steps = dense_program(seed, 2200, seed % 2 == 0 ? 0b1101 : 0b0101).steps;

@@ -176,6 +176,29 @@ TEST_P(OpenEnds, RestWhereNothingIsQueuedAndNoMotorIsAskedForTooMuch) {
 
 INSTANTIATE_TEST_SUITE_P(Axes, OpenEnds, ::testing::Values(0b0101U, 0b1001U, 0b1101U, 0b1111U));
 
+// Corners that ask for a rest, and long ways with points of their own, wherever parts begin and end.
+TEST(OpenEnd, RestsAmongCornersAndLongWaysToo) {
+    const Profile profile;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        plan::test::Script script = dense_program(seed, 3000, 0b1101, 6.0);
+        std::mt19937_64 random{seed};
+        plan::Pulses4 off{};
+        for (std::size_t i = 0; i + 1 < script.steps.size(); ++i) {
+            const std::uint64_t kind = random() % 400;
+            if (kind == 0) off[0] += 300;
+            if (kind == 1) off[kPsi] -= 900;
+            if (kind == 2) off[kPsi] += 40;
+            for (std::size_t k = 0; k < kAxisCount; ++k) script.steps[i].target_pulses[k] += off[k];
+        }
+        const auto groups = fed_groups(plan::test::program_blocks(script.steps));
+        const Outcome plain = Feeder(profile, groups, {}).run();
+        EXPECT_EQ(plain.offences, 0U) << plain.first_offence;
+        const Outcome late = Feeder(profile, groups, {true, true, seed}).run();
+        EXPECT_EQ(late.order, plain.order) << "seed " << seed;
+        EXPECT_EQ(late.offences, 0U) << "seed " << seed << ": " << late.first_offence;
+    }
+}
+
 // Nothing that is asked for changes a pulse's time if all is there before the cap would bite.
 TEST(OpenEnd, ThatGoesOnInTimeShowsInNoPulse) {
     const auto groups = fed_groups(plan::test::program_blocks(dense_program(3, 3000, 0b1101).steps));

@@ -30,7 +30,7 @@ struct PathPiece {
     Timings end_speed2;
     Lanes slope;          ///< greatest |dq/du| in it [pulses/s]
     Lanes bend;           ///< greatest |d2q/du2| [pulses/s^2]
-    std::uint32_t point;  ///< index of the path point it reaches, or kNoPoint
+    std::uint32_t point;  ///< index of the path point it reaches, or passes, or kNoPoint
 };
 
 /// Into how many bits of equal length a part of a cell is cut, each as good as straight: DDA segments end at
@@ -89,6 +89,7 @@ private:
     bool is_straight(std::size_t first, std::size_t end);
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
     void keep_travel(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
+    void keep_tips_apart(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     void keep_height(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     bool is_cut_on_line(std::uint32_t point) const;
     Pulses4 line_to(std::uint32_t point) const;
@@ -102,6 +103,7 @@ private:
     Pulses4 at_pulses_;
     std::uint32_t last_point_;
     bool heads_are_coarse_;
+    bool rounds_corners_;
     Vec bits_begin_;
     WideVector<Bit> bits_;  ///< since the last point
     std::array<Together, kMostBitsInALine> together_{};

@@ -19,8 +19,6 @@ using cycle::MotionBlock;
 
 // No feed over the surface: a program says itself how long each way takes.
 constexpr double kNoFeed_mm_s = 1e9;
-// Where Y and a head both leave the chord, each has so much of the tolerance.
-constexpr double kShareOfTwo = 0.7;
 // Of a way that takes longer at full speed than this, points are added near its ends: speeds change evenly
 // between nodes, and there they change much.
 constexpr double kLongWay_s = 0.03;
@@ -186,12 +184,10 @@ void RecordProgram::come_to_rest() {
 }
 
 void RecordProgram::set_limits() {
-    const auto lifts = [this](const PathPoint& point) { return point.pulses[kY] != points_[0].pulses[kY]; };
     const double given_mm = tolerance_mm_ > 0.0 ? tolerance_mm_ : machine_.path_tolerance_mm;
     const double least_mm = kLeastTolerance * machine_.path_tolerance_mm;
     const double most_mm = kMostTolerances * machine_.path_tolerance_mm;
-    const double share = std::any_of(points_.begin(), points_.end(), lifts) ? kShareOfTwo : 1.0;
-    limits_.path_tolerance_mm = share * std::clamp(given_mm, least_mm, most_mm);
+    limits_.path_tolerance_mm = std::clamp(given_mm, least_mm, most_mm);
     if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
     planned_tolerance_mm_ = limits_.path_tolerance_mm;
     stretches_.emplace(limits_);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "rtcore/plan/path_pieces.hpp"
+#include "rtcore/plan/polyline_check.hpp"
 #include "rtcore/plan/wide.hpp"
 #include "shared/base/units.hpp"
 
@@ -142,6 +143,10 @@ PSICARVE_FOR_WIDE_REGISTERS
 void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint> points,
                           const FittedCurve& curve, const NodeRange& range, std::span<PathSpan> spans,
                           std::vector<std::uint32_t>& narrowed, std::vector<std::uint32_t>& stuck) {
+    if (rounds_corners(limits)) {
+        narrow_where_off_polyline(limits, points, curve, range, spans, narrowed, stuck);
+        return;
+    }
     const CurveNodes& nodes = curve.nodes;
     std::optional<SpanWatch> watch;
     for (std::size_t j = range.first; j <= range.last; ++j) {

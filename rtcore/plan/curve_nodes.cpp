@@ -49,7 +49,10 @@ class SpanBounds {
 public:
     SpanBounds(const MachineLimits& limits, std::span<const PathPoint> points,
                std::span<const PathSpan> spans)
-        : points_(points), spans_(spans), soft_(limits.is_program ? &limits.tick.soft_limits : nullptr) {
+        : points_(points),
+          spans_(spans),
+          soft_(limits.is_program ? &limits.tick.soft_limits : nullptr),
+          rounds_corners_(rounds_corners(limits)) {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             // A head never goes further in than the core, nor deeper than the chord where the tips are close.
             least_[k] = k < kHeads ? limits.least_radius_pulses[k] : -kNone;
@@ -75,10 +78,16 @@ public:
     void at_point(std::size_t point, bool is_end, Lanes& low, Lanes& high) const {
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             const auto at = static_cast<double>(points_[point].pulses[k]);
-            const double band =
-                is_end ? 0.0 : std::min(spans_[point - 1].end_band[k], spans_[point].end_band[k]);
+            const double band = is_end ? 0.0 : band_at(point, k);
             low[k] = std::max(at - band, std::min(at, least_[k]));
             high[k] = at + band;
+            if (soft_ == nullptr) continue;
+            low[k] = std::max(low[k], std::min(at, static_cast<double>(soft_->least_pulses[k])));
+            high[k] = std::min(high[k], std::max(at, static_cast<double>(soft_->most_pulses[k])));
+        }
+        if (soft_ != nullptr) {
+            const Pulses4& at = points_[point].pulses;
+            keep_tips_apart(static_cast<double>(at[0]), static_cast<double>(at[1]), low);
         }
     }
     void on_the_way(double along, Lanes& low, Lanes& high) const {
@@ -87,39 +96,48 @@ public:
             low[k] = std::max({chord - way_->band[k], lowest_[k], std::min(chord, least_[k])});
             high[k] = std::min(chord + way_->band[k], highest_[k]);
         }
+        if (soft_ != nullptr)
+            keep_tips_apart(from_[0] + way_->slope[0] * along, from_[1] + way_->slope[1] * along, low);
     }
 
 private:
     static constexpr double kNone = 1e300;
 
+    double band_at(std::size_t point, std::size_t axis) const {
+        const PathSpan &before = spans_[point - 1], &after = spans_[point];
+        return std::min({before.end_band[axis], after.begin_band[axis], before.band[axis], after.band[axis]});
+    }
     // With backlash there is no run-up against the way: every turn would have to cross the gap.
-    static double tolerance_pulses(const MachineLimits& limits, std::size_t axis) {
+    double tolerance_pulses(const MachineLimits& limits, std::size_t axis) const {
         if (limits.tick.axes[axis].backlash_pulses > 0) return kLeastBeyondPulses;
+        if (rounds_corners_) return kNone;
         if (axis == index_of(Axis::psi)) return kMostTurnPulses;
         return std::max(1.0, kBeyondShare * limits.path_tolerance_mm * limits.axes[axis].pulses_per_unit);
     }
 
-    // Programs are checked in their points alone: beyond them the curve keeps to the travel, and heads leave
-    // each other what room they have.
+    // Programs are checked in their points alone: beyond them the curve keeps to the travel.
     void keep_soft_limits(const Pulses4& from, const Pulses4& to) {
-        double room_mm = -soft_->least_sum_mm;
-        for (std::size_t head = 0; head < kHeads; ++head) {
-            room_mm += soft_->mm_per_pulse[head] * static_cast<double>(std::min(from[head], to[head]));
-        }
         for (std::size_t k = 0; k < kAxisCount; ++k) {
             const auto low = static_cast<double>(std::min(from[k], to[k]));
             const auto high = static_cast<double>(std::max(from[k], to[k]));
             lowest_[k] = std::max(lowest_[k], std::min(low, static_cast<double>(soft_->least_pulses[k])));
             highest_[k] = std::min(highest_[k], std::max(high, static_cast<double>(soft_->most_pulses[k])));
-            if (k >= kHeads) continue;
-            const double room_pulses = 0.5 * std::max(room_mm, 0.0) / soft_->mm_per_pulse[k];
-            lowest_[k] = std::max(lowest_[k], low - std::max(room_pulses, kLeastBeyondPulses));
+        }
+    }
+    // Heads leave each other what room they have where they are.
+    void keep_tips_apart(double first_pulses, double second_pulses, Lanes& low) const {
+        const double sum_mm = soft_->mm_per_pulse[0] * first_pulses + soft_->mm_per_pulse[1] * second_pulses;
+        const double room_mm = 0.5 * std::max(sum_mm - tips_need_mm(*soft_), 0.0);
+        for (std::size_t k = 0; k < kHeads; ++k) {
+            const double room_pulses = std::max(room_mm / soft_->mm_per_pulse[k], kLeastBeyondPulses);
+            low[k] = std::max(low[k], (k == 0 ? first_pulses : second_pulses) - room_pulses);
         }
     }
 
     std::span<const PathPoint> points_;
     std::span<const PathSpan> spans_;
     const cycle::SoftLimits* soft_;  ///< null: a table's points are checked with what the curve may add
+    bool rounds_corners_;
     Lanes least_{};
     Lanes tolerance_{};
     const PathSpan* way_ = nullptr;
@@ -245,6 +263,13 @@ void bind_again(const MachineLimits& limits, std::span<const PathPoint> points,
     for (std::size_t j = node + 1; nodes.point_at[j] == CurveNodes::kNoPoint; ++j) {
         along += nodes.step[j - 1];
         bounds.on_the_way(along, nodes.low[j], nodes.high[j]);
+    }
+    if (!rounds_corners(limits)) return;
+    std::size_t end = node + 1;
+    while (nodes.point_at[end] == CurveNodes::kNoPoint) ++end;
+    for (const std::size_t j : {node, end}) {
+        const bool is_end = j == 0 || j + 1 == nodes.point_at.size();
+        bounds.at_point(nodes.point_at[j], is_end, nodes.low[j], nodes.high[j]);
     }
 }
 

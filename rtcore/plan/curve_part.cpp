@@ -53,6 +53,9 @@ bool StretchPlanner::decide(std::span<const PathPoint> points, std::span<const P
     }
     time(spans);
     bend_evenly(points, spans);
+    // Limits may be those of the curve that was not taken.
+    note_outside();
+    limit_speeds();
     take_part(points, spans, at, part);
     return true;
 }

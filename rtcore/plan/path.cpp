@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "rtcore/plan/program_tube.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::plan {
@@ -44,21 +45,16 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
     const double psi_band_mm = std::max(psi_room_mm, kLeastBandPulses * roughness * psi_pulse_mm);
     span.end_band.fill(kEndBandPulses);
     span.end_band[kPsi] = std::min(kEndBandPulses, psi_band_mm / psi_pulse_mm);
+    span.begin_band = span.end_band;
     span.band[kPsi] = psi_band_mm / psi_pulse_mm;
     // Cut on the chord, all axes stand at one place of it, wherever the curve has each.
     const bool is_on_chord = heads_are_coarse(limits);
-    const double y_share = limits.is_program ? kTubeShare : 1.0;
-    const double y_band_pulses = y_share * tolerance_mm * limits.axes[kY].pulses_per_unit;
+    const double y_band_pulses = tolerance_mm * limits.axes[kY].pulses_per_unit;
     span.band[kY] =
         limits.is_program && is_on_chord ? kLeastBandPulses : std::max(kLeastBandPulses, y_band_pulses);
-    // A layer's plane is (r * dpsi, R); a program's chord goes along Y, too.
-    const double lift_mm =
-        limits.is_program ? static_cast<double>(std::abs(delta_pulses[kY])) / limits.axes[kY].pulses_per_unit
-                          : 0.0;
     for (std::size_t head = 0; head < 2; ++head) {
         const double scale = limits.axes[head].pulses_per_unit;
-        const double turn_mm = turn_pulses * rad_per_pulse * span.radius_mm[head];
-        const double along_mm = std::sqrt(turn_mm * turn_mm + lift_mm * lift_mm);
+        const double along_mm = std::abs(turn_pulses * rad_per_pulse * span.radius_mm[head]);
         const double rise_mm = static_cast<double>(std::abs(delta_pulses[head])) / scale;
         const double chord_mm = std::sqrt(along_mm * along_mm + rise_mm * rise_mm);
         // What psi takes of it, and the rounding of both where the way is cut.
@@ -68,8 +64,7 @@ void set_bands(const MachineLimits& limits, const Pulses4& delta_pulses, PathSpa
         const double share = rise_mm > along_mm ? kBoundaryShare : kTubeShare;
         const double left_mm = std::max(share * tolerance_mm - used_mm, kPsiShare * tolerance_mm);
         const double widened_mm = along_mm > 0.0 ? left_mm * chord_mm / along_mm : left_mm + rise_mm;
-        // Where Y moves, too, it has a tube of its own, and both may leave the chord the same way.
-        const double band_mm = lift_mm > 0.0 ? left_mm : std::min(widened_mm, left_mm + 0.25 * rise_mm);
+        const double band_mm = std::min(widened_mm, left_mm + 0.25 * rise_mm);
         span.band[head] = is_on_chord ? kLeastBandPulses : std::max(kLeastBandPulses, band_mm * scale);
     }
     // An axis with backlash must not turn back between two points, not even to take a run-up: it gets no room
@@ -121,17 +116,20 @@ PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, c
     const double room = 0.5 * (before.length + after.length);
     const double offset_per_turn = 0.5 * before.length * after.length / room;
     PathCorner corner{false, false, false, kSharpRoom * room};
+    const bool rounds = rounds_corners(limits);
     double turn_speed2 = 1.0;
     double turn_length = room;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         const double turn = std::abs(after.slope[k] - before.slope[k]);
         const double band = std::min(before.band[k], after.band[k]);
         if (turn * room <= kLeastBandPulses) continue;
-        corner.radius = std::min(corner.radius, 4.0 * band / turn);
-        const double rounding = 2.0 * std::min(before.end_band[k], after.end_band[k]) / offset_per_turn;
+        const double end_band = std::min(before.end_band[k], after.begin_band[k]);
+        const double width = rounds ? band + end_band : band;
+        corner.radius = std::min(corner.radius, 4.0 * width / turn);
+        const double rounding = 2.0 * end_band / offset_per_turn;
         if (turn <= rounding) continue;
         const double true_turn = turn - rounding;
-        const double length = std::min(room, 8.0 * band / true_turn);
+        const double length = std::min(room, 8.0 * width / true_turn);
         const double speed2 = limits.axes[k].accel_pps2 * length / true_turn;
         if (speed2 >= turn_speed2) continue;
         turn_speed2 = speed2;
@@ -194,6 +192,15 @@ bool heads_are_coarse(const MachineLimits& limits) {
     return limits.path_tolerance_mm * pulses_per_mm < 1.0;
 }
 
+bool rounds_corners(const MachineLimits& limits) {
+    return limits.is_program && !heads_are_coarse(limits);
+}
+
+// A millionth of a millimetre, for sums of decimal numbers are not exact.
+double tips_need_mm(const cycle::SoftLimits& soft) {
+    return soft.least_sum_mm + 0.5 * (soft.mm_per_pulse[0] + soft.mm_per_pulse[1]) - 1e-6;
+}
+
 double height_tolerance_pulses(const MachineLimits& limits) {
     return limits.path_tolerance_mm * limits.axes[kY].pulses_per_unit;
 }
@@ -228,6 +235,7 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
         }
     }
     if (!limits.is_program) keep_y_on_its_way(limits, spans);
+    if (rounds_corners(limits)) set_program_tubes(limits, spans);
     return spans;
 }
 

@@ -21,7 +21,8 @@ inline constexpr double kLeastBandPulses = 0.5;
 /// The table turning back by less is lost in the rounding of the cuts.
 inline constexpr double kMostTurnPulses = 0.5;
 
-/// A position that the machine passes exactly.
+/// A position that the machine passes: exactly in a job, in a program within its tolerance. The ends of a
+/// path are always met exactly.
 struct PathPoint {
     Pulses4 pulses;
     std::uint32_t layer;  ///< of the job; one for all rows of a spiral
@@ -42,7 +43,8 @@ struct PathSpan {
     double length;                    ///< > 0 [s]
     Lanes slope;                      ///< of the chord [pulses / s of u]
     Lanes band;                       ///< how far the curve may leave the chord [pulses]
-    Lanes end_band;                   ///< and how far its ends [pulses]
+    Lanes begin_band;                 ///< and how far its begin [pulses]
+    Lanes end_band;                   ///< and its end
     std::array<double, 2> radius_mm;  ///< by head: of the tip, at the larger end
     bool is_link;                     ///< between two layers: heads never further in than its ends
     std::array<bool, 2> is_outside;   ///< by head: all along it clear of the blank, so without a feed
@@ -63,6 +65,11 @@ std::array<double, 2> greatest_radii_mm(const MachineLimits& limits, const Pulse
 /// Whether a head's pulse is coarser than the tolerance: then spans are cut on their chords, as rounding the
 /// curve could leave them by more than the tolerance and a pulse.
 bool heads_are_coarse(const MachineLimits& limits);
+/// Whether points between rests are passed within the tolerance: in programs, if the heads' pulses are finer.
+bool rounds_corners(const MachineLimits& limits);
+/// The sum of both heads' positions that every cut of a program keeps, where its points do: so that between
+/// two cuts, too, the tips have their clearance [mm].
+double tips_need_mm(const cycle::SoftLimits& soft);
 /// How far Y may leave its straight way over psi along a spiral [pulses].
 double height_tolerance_pulses(const MachineLimits& limits);
 /// Whether a span is cut where the curve has the table: where the table's pulses are coarser than the

@@ -56,7 +56,8 @@ PieceMaker::PieceMaker(const MachineLimits& limits, std::span<const PathPoint> p
       pieces_(pieces),
       at_pulses_(points[first_point].pulses),
       last_point_(first_point),
-      heads_are_coarse_(heads_are_coarse(limits)) {
+      heads_are_coarse_(heads_are_coarse(limits)),
+      rounds_corners_(rounds_corners(limits)) {
     load(start, bits_begin_);
 }
 
@@ -123,7 +124,9 @@ void PieceMaker::flush(std::uint32_t point) {
         const std::size_t end = longest(first);
         const bool reaches = end == bits_.size();
         const std::int64_t done = line_done(point);
-        add_piece(first, end, reaches ? points_[point].pulses : cut_at(end, point),
+        // Where corners are rounded the curve is in the point only where it rests.
+        const bool is_in_point = reaches && !rounds_corners_;
+        add_piece(first, end, is_in_point ? points_[point].pulses : cut_at(end, point),
                   reaches ? point : PathPiece::kNoPoint);
         if (is_cut_on_line(point)) {
             pieces_.back().line_pulses = line_to(point);
@@ -145,7 +148,8 @@ void PieceMaker::keep_way(std::uint32_t point, Pulses4& pulses) const {
     const bool is_link = is_between_layers(from, to);
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         if (is_link && k < 2) pulses[k] = std::max(pulses[k], std::min(from.pulses[k], to.pulses[k]));
-        const bool goes_one_way = k == index_of(Axis::psi) || (is_link && k == index_of(Axis::y));
+        const bool goes_one_way =
+            (k == index_of(Axis::psi) && !rounds_corners_) || (is_link && k == index_of(Axis::y));
         if (!goes_one_way && limits_.tick.axes[k].backlash_pulses == 0) continue;
         pulses[k] = std::clamp(pulses[k], std::min(at_pulses_[k], to.pulses[k]),
                                std::max(at_pulses_[k], to.pulses[k]));
@@ -163,6 +167,27 @@ void PieceMaker::keep_travel(const Pulses4& from, const Pulses4& to, Pulses4& pu
         pulses[k] = std::clamp(pulses[k], std::min({least, from[k], to[k]}),
                                std::max({soft.most_pulses[k], from[k], to[k]}));
     }
+    keep_tips_apart(from, to, pulses);
+}
+
+// RecordRules has looked at ends alone. Between two cuts one head may go in and the other out: by half a
+// pulse of each both are closer there than at either cut. Where an end has no such half pulses to give,
+// neither head goes further in than at the ends.
+void PieceMaker::keep_tips_apart(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const {
+    const cycle::SoftLimits& soft = limits_.tick.soft_limits;
+    const auto sum_mm = [&soft](const Pulses4& at) {
+        return soft.mm_per_pulse[0] * static_cast<double>(at[0]) +
+               soft.mm_per_pulse[1] * static_cast<double>(at[1]);
+    };
+    const double needed_mm = tips_need_mm(soft);
+    const double ends_mm = std::min(sum_mm(from), sum_mm(to));
+    if (ends_mm < needed_mm) {
+        for (std::size_t k = 0; k < kHeads; ++k) pulses[k] = std::max(pulses[k], std::min(from[k], to[k]));
+    }
+    const double missing_mm = std::min(needed_mm, ends_mm) - sum_mm(pulses);
+    if (missing_mm <= 0.0) return;
+    for (std::size_t k = 0; k < kHeads; ++k)
+        pulses[k] += static_cast<std::int64_t>(std::ceil(0.5 * missing_mm / soft.mm_per_pulse[k]));
 }
 
 // Along a layer Y goes where the curve has it, but only so far from the straight way over psi that the DDA's

@@ -30,7 +30,7 @@ struct PathPiece {
     Timings end_speed2;
     Lanes slope;          ///< greatest |dq/du| in it [pulses/s]
     Lanes bend;           ///< greatest |d2q/du2| [pulses/s^2]
-    std::uint32_t point;  ///< index of the path point it reaches, or kNoPoint
+    std::uint32_t point;  ///< index of the path point it reaches, or passes, or kNoPoint
     std::array<double, 2>
         rest_speed2{};  ///< at its begin and end: of the profile that comes to rest (PathTiming)
 };
@@ -46,6 +46,11 @@ class PieceMaker {
 public:
     PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::uint32_t first_point,
                const Lanes& start, std::vector<PathPiece>& pieces);
+
+    /// Before the first add(): the pieces begin here and not in the first point, which the curve passes.
+    void begin_at(const Pulses4& pulses) { at_pulses_ = pulses; }
+    /// Where the pieces made so far end.
+    const Pulses4& at_pulses() const { return at_pulses_; }
 
     /// The cell that the next add() is about: where it begins, and the speeds at its ends.
     void begin_cell(const PathCell& cell, const Lanes& at, const Timings& begin2, const Timings& end2,
@@ -93,6 +98,7 @@ private:
     bool is_straight(std::size_t first, std::size_t end);
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
     void keep_travel(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
+    void keep_tips_apart(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     void keep_height(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;
     bool is_cut_on_line(std::uint32_t point) const;
     Pulses4 line_to(std::uint32_t point) const;
@@ -106,6 +112,7 @@ private:
     Pulses4 at_pulses_;
     std::uint32_t last_point_;
     bool heads_are_coarse_;
+    bool rounds_corners_;
     Vec bits_begin_;
     WideVector<Bit> bits_;  ///< since the last point
     std::array<Together, kMostBitsInALine> together_{};

@@ -8,6 +8,7 @@ namespace psicarve::plan {
 
 void RecedingSpeeds::hold(CurvePart first) {
     held_ = std::move(first);
+    end_pulses_ = held_->points.front().pulses;
     for (std::size_t timing = 0; timing < kTimingCount; ++timing)
         begin2_[timing] = std::min(held_->bound2[timing].front(), held_->rest_begin2);
 }
@@ -67,9 +68,10 @@ void RecedingSpeeds::solve_rest() {
     timing_.solve({bound2, held_->inner2[1]}, rest2_);
 }
 
-void RecedingSpeeds::add_pieces(bool is_open, std::vector<PathPiece>& pieces) const {
+void RecedingSpeeds::add_pieces(bool is_open, std::vector<PathPiece>& pieces) {
     const CurvePart& part = *held_;
     PieceMaker maker(*limits_, part.points, 0, part.begin_at, pieces);
+    maker.begin_at(end_pulses_);
     for (std::size_t j = 0; j < part.cells.size(); ++j) {
         const double length = part.cells[j].length;
         const std::array<double, 2> rest2 =
@@ -80,6 +82,7 @@ void RecedingSpeeds::add_pieces(bool is_open, std::vector<PathPiece>& pieces) co
         if (along > 0.0) maker.add(0.0, along, part.point_at[j]);
         if (along < length) maker.add(along, length, PathPiece::kNoPoint);
     }
+    end_pulses_ = maker.at_pulses();
 }
 
 }  // namespace psicarve::plan

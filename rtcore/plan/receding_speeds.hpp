@@ -37,6 +37,8 @@ public:
     void hold(CurvePart first);
     /// Pieces of the part held: it rests at its end.
     void end(std::vector<PathPiece>& pieces);
+    /// Where the pieces made so far end. Where corners are rounded that is no point of the path.
+    const Pulses4& end_pulses() const { return end_pulses_; }
 
 private:
     using Speeds = std::array<std::vector<double>, kTimingCount>;
@@ -44,12 +46,13 @@ private:
     void gather(const CurvePart* behind);
     void solve();
     void solve_rest();
-    void add_pieces(bool is_open, std::vector<PathPiece>& pieces) const;
+    void add_pieces(bool is_open, std::vector<PathPiece>& pieces);
 
     const MachineLimits* limits_;
     SpeedProfile timing_;
     std::optional<CurvePart> held_;
-    Timings begin2_{};  ///< of the part held
+    Timings begin2_{};      ///< of the part held
+    Pulses4 end_pulses_{};  ///< where it begins
     std::vector<PathCell> cells_;
     Speeds bound2_;
     std::array<std::vector<InnerSpeeds2>, kTimingCount> inner2_;

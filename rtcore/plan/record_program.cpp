@@ -19,8 +19,6 @@ using cycle::MotionBlock;
 
 // No feed over the surface: a program says itself how long each way takes.
 constexpr double kNoFeed_mm_s = 1e9;
-// Where Y and a head both leave the chord, each has so much of the tolerance.
-constexpr double kShareOfTwo = 0.7;
 // Of a way that takes longer at full speed than this, points are added near its ends: speeds change evenly
 // between nodes, and there they change much.
 constexpr double kLongWay_s = 0.03;
@@ -28,8 +26,9 @@ constexpr double kRampParts = 4.0;
 constexpr double kRampsApart = 1.25;
 // Whole numbers of a longer line would not fit.
 constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
-// Where a curve goes on, its nodes in the way before follow from the one before that.
-constexpr std::size_t kPointsBefore = 2;
+// Where a curve goes on, its nodes in the way before follow from the one before that, and tubes from ways two
+// further on.
+constexpr std::size_t kPointsBefore = 6;
 // More than a window of ways can have.
 constexpr int kMostStepsAtOnce = 4096;
 // More would be no tolerance of this machine's any more; less is exact to the pulse.
@@ -136,9 +135,6 @@ void RecordProgram::take_way(const ProgramStep& step) {
     // An exact way has no tube of the ways before it.
     const double before_mm = tolerance_mm_;
     if (before_mm > 0.0 && (is_exact || step.tolerance_mm != before_mm)) come_to_rest();
-    // What is decided already has a tube for ways along which Y stands.
-    const bool lifts = step.target_pulses[kY] != points_.back().pulses[kY];
-    if (is_open_ && lifts && !has_lifts_) come_to_rest();
     if (!is_exact) tolerance_mm_ = step.tolerance_mm;
     if (step.target_pulses != points_.back().pulses) add_way(step);
     const bool halts = is_single_ && step.ends_block;
@@ -201,7 +197,8 @@ Timings RecordProgram::least_pace2(const ProgramStep& step, std::size_t first) c
 void RecordProgram::come_to_rest() {
     if (points_.size() > begin_ + 1) {
         look_at_spans();
-        plan_stretch(plan_up_to_rests(), points_.size() - 1);
+        if (is_open_) close_run(next_rest());
+        if (points_.size() > 1) plan_stretch(plan_up_to_rests(), points_.size() - 1);
     }
     rest_at(points_.size() - 1);
     tolerance_mm_ = 0.0;
@@ -210,17 +207,46 @@ void RecordProgram::come_to_rest() {
 // Plans what does not depend on how the way goes on.
 void RecordProgram::go_ahead() {
     look_at_spans();
-    const std::size_t rest = plan_up_to_rests();
-    if (rest > begin_) return rest_at(rest);
+    if (is_open_) {
+        if (const std::size_t rest = next_rest(); rest + 1 < points_.size()) return close_run(rest);
+    } else if (const std::size_t rest = plan_up_to_rests(); rest > begin_) {
+        return rest_at(rest);
+    }
     const std::size_t to = points_.size() - 1 - kTailPoints;
     if (decide_part(to)) return;
     // No curve goes on within the tube: there is a rest where it has come to, or where it would have.
-    if (is_open_) {
-        end_run();
-        return rest_at(begin_);
-    }
+    if (is_open_) return rest_where_decided();
     plan_stretch(begin_, to);
     rest_at(to);
+}
+
+/// The next corner that asks for a rest, or the end of what was gathered.
+std::size_t RecordProgram::next_rest() const {
+    std::size_t i = begin_ + 1;
+    while (i + 1 < points_.size() && !corners_[i - 1].is_stop) ++i;
+    return i;
+}
+
+// A run that has gone on comes to rest in this point.
+void RecordProgram::close_run(std::size_t point) {
+    CurvePart part;
+    if (stretches_->decide(points_, spans_, corners_, {begin_, point, point}, part)) {
+        part.lines = lines_of(begin_, point);
+        settle(std::move(part));
+        end_run();
+        rest_at(point);
+    } else {
+        rest_where_decided();
+    }
+    if (points_.size() > 1) look_at_spans();
+}
+
+// Its curve has passed the last decided point within the tolerance: the way goes on from there.
+void RecordProgram::rest_where_decided() {
+    end_run();
+    const std::size_t next = begin_ + 1;
+    points_[begin_].pulses = speeds_.end_pulses();
+    rest_at(next < points_.size() && points_[next].pulses == points_[begin_].pulses ? next : begin_);
 }
 
 /// As far as the last corner that asks for a rest; none: begin_.
@@ -255,13 +281,10 @@ void RecordProgram::look_at_spans() {
 }
 
 void RecordProgram::set_limits() {
-    const auto lifts = [this](const PathPoint& point) { return point.pulses[kY] != points_[0].pulses[kY]; };
     const double given_mm = tolerance_mm_ > 0.0 ? tolerance_mm_ : machine_.path_tolerance_mm;
     const double least_mm = kLeastTolerance * machine_.path_tolerance_mm;
     const double most_mm = kMostTolerances * machine_.path_tolerance_mm;
-    has_lifts_ = std::any_of(points_.begin(), points_.end(), lifts);
-    const double share = has_lifts_ ? kShareOfTwo : 1.0;
-    limits_.path_tolerance_mm = share * std::clamp(given_mm, least_mm, most_mm);
+    limits_.path_tolerance_mm = std::clamp(given_mm, least_mm, most_mm);
     if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
     planned_tolerance_mm_ = limits_.path_tolerance_mm;
     stretches_.emplace(limits_);
@@ -285,17 +308,6 @@ bool RecordProgram::decide_part(std::size_t to) {
 }
 
 void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
-    if (is_open_ && first == begin_) {
-        is_open_ = false;
-        CurvePart part;
-        const bool is_decided = stretches_->decide(points_, spans_, corners_, {first, last, last}, part);
-        if (is_decided) {
-            part.lines = lines_of(first, last);
-            settle(std::move(part));
-        }
-        end_run();
-        if (is_decided) return;
-    }
     pieces_.clear();
     if (last == first + 1) {
         Pulses4 way;

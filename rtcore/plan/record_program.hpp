@@ -60,6 +60,9 @@ private:
     void come_to_rest();
     void go_ahead();
     std::size_t plan_up_to_rests();
+    std::size_t next_rest() const;
+    void close_run(std::size_t point);
+    void rest_where_decided();
     void rest_at(std::size_t point);
     void drop_points(std::size_t count);
     void look_at_spans();
@@ -87,10 +90,9 @@ private:
 
     // The window at hand, from where the machine rests or the curve is decided up to.
     std::vector<PathPoint> points_;
-    std::vector<Way> ways_;   ///< by point: that which reaches it
-    std::size_t begin_ = 0;   ///< index of that point; points before it only show where the path comes from
-    bool is_open_ = false;    ///< no rest there: the part before is held in speeds_
-    bool has_lifts_ = false;  ///< Y moves in the stretch at hand
+    std::vector<Way> ways_;  ///< by point: that which reaches it
+    std::size_t begin_ = 0;  ///< index of that point; points before it only show where the path comes from
+    bool is_open_ = false;   ///< no rest there: the part before is held in speeds_
     double tolerance_mm_ = 0.0;  ///< 0: none of its ways has one
 
     std::optional<StretchPlanner> stretches_;  ///< for limits_

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -151,6 +152,37 @@ private:
 };
 
 class OpenEnds : public ::testing::TestWithParam<unsigned> {};
+
+/// How far the blocks' ways are ahead of what an axis can do at its top speed, over any stretch of them.
+double pulses_too_far(const std::vector<std::vector<MotionBlock>>& groups, std::size_t axis,
+                      double speed_pps) {
+    double most = 0.0;
+    double ahead = 0.0;
+    for (const auto& group : groups) {
+        for (const MotionBlock& block : group) {
+            if (block.kind != BlockKind::path) continue;
+            const cycle::PathTiming& path = block.path;
+            const double seconds =
+                2.0 * path.length / (std::sqrt(path.start_speed2[0]) + std::sqrt(path.end_speed2[0]));
+            ahead += std::abs(static_cast<double>(block.delta_pulses[axis])) - speed_pps * seconds;
+            ahead = std::max(ahead, 0.0);
+            most = std::max(most, ahead);
+        }
+    }
+    return most;
+}
+
+// Both ends of a stretch may be rounded by half a pulse.
+TEST_P(OpenEnds, KeepEveryAxisWithinItsTopSpeedThroughout) {
+    const plan::MachineLimits limits = plan::machine_limits(Profile{});
+    for (std::uint64_t seed = 1; seed <= (test::is_thorough() ? 16U : 4U); ++seed) {
+        const auto groups = fed_groups(plan::test::program_blocks(
+            dense_program(seed, 3000, GetParam(), seed % 2 == 0 ? 20.0 : 6.0).steps));
+        for (std::size_t k = 0; k < kAxisCount; ++k)
+            EXPECT_LE(pulses_too_far(groups, k, limits.axes[k].speed_pps), 1.0)
+                << "seed " << seed << ", axis " << k;
+    }
+}
 
 TEST_P(OpenEnds, RestWhereNothingIsQueuedAndNoMotorIsAskedForTooMuch) {
     const Profile profile;

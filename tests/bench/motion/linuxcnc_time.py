@@ -13,21 +13,15 @@ linuxcnc-uspace. LinuxCNC refuses to run as root: then it runs as the user `nobo
 import argparse
 import json
 import math
-import os
 import pathlib
-import pwd
-import subprocess
 import sys
-import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "reference"))
 
 import linuxcnc_config as config
+from linuxcnc_run import SERVO_S, carving_part, run
 from machine_limits import read_layers, read_limits
-
-SERVO_S = 0.001
-
 
 def layer_points(layer):
     """(R1, R2, psi in degrees) of each point."""
@@ -37,56 +31,6 @@ def layer_points(layer):
 def axis_limits(limits):
     psi = (math.degrees(limits.psi.speed), math.degrees(limits.psi.accel))
     return [(head.speed, head.accel) for head in limits.heads] + [psi]
-
-
-def run(points, limits, tolerance_mm, limit_s):
-    """Commanded positions of the three axes, one entry a servo tick."""
-    with tempfile.TemporaryDirectory(prefix="layer-time-") as folder:
-        files = {
-            "machine.ini": config.ini_text(axis_limits(limits)),
-            "machine.hal": config.HAL,
-            "layer.ngc": config.program_text(points, tolerance_mm),
-            "operate.py": config.OPERATOR.format(limit_s=limit_s),
-            "parameters.var": "",
-            "tools.tbl": "",
-        }
-        for name, text in files.items():
-            path = pathlib.Path(folder, name)
-            path.write_text(text)
-            path.chmod(0o755)
-        command = ["timeout", str(limit_s + 60), "linuxcnc", "-r", "machine.ini"]
-        environment = dict(os.environ, HOME=folder)
-        if os.geteuid() == 0:
-            nobody = pwd.getpwnam("nobody")
-            for path in (folder, *pathlib.Path(folder).iterdir()):
-                os.chown(path, nobody.pw_uid, nobody.pw_gid)
-            command = ["runuser", "-u", "nobody", "--", "env", f"HOME={folder}"] + command
-        done = subprocess.run(
-            command, cwd=folder, env=environment, capture_output=True, text=True, stdin=subprocess.DEVNULL
-        )
-        outcome = pathlib.Path(folder, "outcome.txt")
-        if not outcome.exists() or outcome.read_text() != "finished":
-            raise RuntimeError("LinuxCNC did not finish:\n" + (done.stdout + done.stderr)[-2000:])
-        return read_samples(pathlib.Path(folder, "samples.txt"))
-
-
-def read_samples(path):
-    samples = []
-    for line in path.read_text().splitlines():
-        if "overrun" in line:
-            raise RuntimeError("LinuxCNC ran faster than its positions could be recorded")
-        words = line.split()
-        if len(words) >= 3:
-            samples.append(tuple(map(float, words[:3])))
-    return samples
-
-
-def carving_part(samples):
-    """From the last position of the rest before the first point to the first position of the rest after the last."""
-    moving = [i for i in range(1, len(samples)) if samples[i] != samples[i - 1]]
-    gaps = [after - before for before, after in zip(moving, moving[1:])]
-    start = moving[gaps.index(max(gaps)) + 1]
-    return samples[start - 1 : moving[-1] + 1]
 
 
 def cut_mm(path, points):
@@ -105,7 +49,7 @@ def cut_mm(path, points):
 def layer_time(layer, limits, tolerance_mm, limit_s=300):
     """Seconds, and by how much corners are cut [mm]."""
     points = layer_points(layer)
-    path = carving_part(run(points, limits, tolerance_mm, limit_s))
+    path = carving_part(run(config.program_text(points, tolerance_mm), axis_limits(limits), limit_s))
     return SERVO_S * (len(path) - 1), cut_mm(path, points)
 
 

@@ -156,15 +156,14 @@ TEST(ProgramHorizon, GoesNoFasterThanThePartAheadCanStop) {
     EXPECT_TRUE(is_bound);
 }
 
-// What is decided has tubes of its own for ways along which Y stands still.
-TEST(ProgramHorizon, RestsOnceWhereYBeginsToMove) {
+TEST(ProgramHorizon, GoesOnWhereYBeginsToMove) {
     for (const std::size_t planar : {400U, 1500U}) {
         Script script = dense_program(5, 3000, 0b0101);
         Pulses4 at{};
         for (std::size_t i = planar; i + 1 < script.steps.size(); ++i)
             script.steps[i].target_pulses[kY] += static_cast<std::int64_t>(i - planar + 1);
         const auto blocks = program_blocks(script.steps);
-        EXPECT_EQ(groups_of(blocks).runs, planar < RecordProgram::kPartPoints ? 1 : 2);
+        EXPECT_EQ(groups_of(blocks).runs, 1);
         for (const MotionBlock& block : blocks) {
             for (std::size_t k = 0; k < kAxisCount; ++k) at[k] += block.delta_pulses[k];
         }

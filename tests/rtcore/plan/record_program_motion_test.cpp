@@ -74,12 +74,30 @@ std::vector<Pulses4> ticked(const std::vector<MotionBlock>& blocks, const Machin
     return places;
 }
 
+/// Square corners at random, of three axes.
+Script square_corners(std::uint64_t seed, double tolerance_mm) {
+    std::mt19937_64 random{seed};
+    Script script{kStartPulses};
+    constexpr std::array<std::size_t, 3> kSquareAxes{0, kPsi, kY};
+    for (std::size_t i = 0; i < 120; ++i) {
+        Pulses4 way{};
+        const std::size_t axis = kSquareAxes[i % 3];
+        way[axis] = static_cast<std::int64_t>(random() % 400) - 200;
+        if (axis == kPsi) way[axis] /= 4;
+        script.way(way, tolerance_mm);
+    }
+    script.end();
+    return script;
+}
+
 // The quick test of what pulses must obey, at windows from 5 to 100 ms; rests and turns may jump.
 TEST(RecordProgramMotion, AsksNoMotorForMoreThanItsAcceleration) {
     const MachineLimits limits = machine_limits(Profile{});
     const double tick_s = limits.tick_seconds();
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const auto places = ticked(program_blocks(random_program(seed, kStartPulses, 120).steps), limits);
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        const Script script = seed <= 8 ? random_program(seed, kStartPulses, 120)
+                                        : square_corners(seed, seed % 2 == 0 ? 0.05 : 0.3);
+        const auto places = ticked(program_blocks(script.steps), limits);
         for (const double window_s : {0.005, 0.02, 0.1}) {
             const auto w = static_cast<std::size_t>(window_s / tick_s);
             for (std::size_t k = 0; k < kAxisCount; ++k) {

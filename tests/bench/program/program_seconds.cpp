@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long the ways of a program in G-code take, as planned, from its last dwell on.
+//
+// usage: program_seconds FILE [PROFILE]
+//
+// Prints the seconds, and how often the machine rests on the way. A planned program takes that long to a
+// tick.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/program_check.hpp"
+#include "hmi/gcode/record_maker.hpp"
+#include "rtcore/plan/record_program.hpp"
+#include "rtcore/program/record_rules.hpp"
+
+namespace psicarve {
+namespace {
+
+/// Checks each record as the core does, and keeps the steps.
+class StepList final : public gcode::RecordSink, public plan::StepSource {
+public:
+    StepList(const Profile& profile, const plan::Pulses4& start) : rules_(profile), at_(start) {}
+
+    Result<void> take(const MotionRecord& record) override {
+        plan::ProgramStep step;
+        const Message wrong = rules_.judge(record, at_, step);
+        if (!wrong.is_none())
+            return bad_input("the core refuses the record of line " + std::to_string(record.line));
+        at_ = step.target_pulses;
+        steps_.push_back(step);
+        return {};
+    }
+    plan::Supply next(plan::ProgramStep& step) override {
+        if (next_ == steps_.size()) return plan::Supply::ended;
+        step = steps_[next_++];
+        return plan::Supply::step;
+    }
+
+private:
+    program::RecordRules rules_;
+    plan::Pulses4 at_;
+    std::vector<plan::ProgramStep> steps_;
+    std::size_t next_ = 0;
+};
+
+gcode::ByteSource bytes_of_file(const std::string& path) {
+    auto stream = std::make_shared<std::ifstream>(path, std::ios::binary);
+    return [stream](std::span<char> room) -> Result<std::size_t> {
+        stream->read(room.data(), static_cast<std::streamsize>(room.size()));
+        return static_cast<std::size_t>(stream->gcount());
+    };
+}
+
+/// Where a homed machine of this profile stands.
+plan::Pulses4 reference_pulses(const Profile& profile) {
+    const gcode::Position reference = gcode::MachineCheck::reference_of(profile);
+    const gcode::AxisLetters letters{profile.gcode};
+    plan::Pulses4 pulses{};
+    for (const Axis axis : kAllAxes) {
+        const double per_unit = axis == Axis::psi ? static_cast<double>(profile.psi.pulses_per_rev) / 360.0
+                                                  : axis_motion(profile, axis).pulses_per_unit;
+        pulses[index_of(axis)] = std::llround(reference[letters.letter_of(axis)] * per_unit);
+    }
+    return pulses;
+}
+
+int tell(const std::string& path, const Profile& profile) {
+    const plan::Pulses4 start = reference_pulses(profile);
+    const auto steps = std::make_shared<StepList>(profile, start);
+    gcode::InterpreterOptions options;
+    options.reference = options.start = gcode::MachineCheck::reference_of(profile);
+    gcode::RecordMaker maker{profile, {}, *steps};
+    gcode::ProblemList problems;
+    gcode::LineSource lines{bytes_of_file(path)};
+    const auto facts = gcode::interpret_program(lines, options, maker, problems);
+    const auto finished = maker.finish();
+    if (!facts || !problems.errors().empty() || !finished) {
+        std::fprintf(stderr, "program_seconds: %s is not as it should be: %s\n", path.c_str(),
+                     finished ? "see psicarve gcode check" : finished.error().message.c_str());
+        return 3;
+    }
+    plan::RecordProgram program(plan::machine_limits(profile), steps, start);
+    double seconds = 0.0;
+    int rests = -1;  // its end is none
+    cycle::MotionBlock block;
+    while (program.next(block)) {
+        if (block.kind == cycle::BlockKind::dwell) {
+            seconds = 0.0;
+            rests = -1;
+        }
+        if (block.kind != cycle::BlockKind::path) continue;
+        rests += block.group_blocks > 0 ? 1 : 0;
+        seconds += 2.0 * block.path.length /
+                   (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
+    }
+    std::printf("%.4f %d\n", seconds, rests);
+    return 0;
+}
+
+int run(int count, char** words) {
+    if (count != 2 && count != 3) {
+        std::fprintf(stderr, "usage: program_seconds FILE [PROFILE]\n");
+        return 2;
+    }
+    if (count == 2) return tell(words[1], Profile{});
+    const auto profile = load_profile(words[2]);
+    if (profile) return tell(words[1], *profile);
+    std::fprintf(stderr, "program_seconds: %s\n", profile.error().message.c_str());
+    return 2;
+}
+
+}  // namespace
+}  // namespace psicarve
+
+int main(int count, char** words) {
+    return psicarve::run(count, words);
+}

@@ -216,7 +216,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (const auto alike = require_heads_alike(profile, *status); !alike) return alike.error();
     const gcode::InterpreterOptions how = language_of(options, profile, *status);
     std::uint64_t line_count = 0;
-    auto bytes = Result<gcode::ByteSource>{Error{ErrorCode::bad_input, {}}};
+    auto bytes = Result<gcode::ProgramBytes>{Error{ErrorCode::bad_input, {}}};
     if (options.is_stream()) {
         bytes = gcode::open_program(kStandardInput);
     } else {

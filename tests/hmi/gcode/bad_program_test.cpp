@@ -79,7 +79,7 @@ TEST(Problems, AreAllCountedAndAHundredKept) {
 
 TEST(Problems, AreNotToldAgainOfWhatDependsOnThem) {
     // Without the first line there is no feed, no motion, and no place where the arc begins.
-    EXPECT_EQ(read_program("G1 X5 Y5 F1OO\nX6\nG2 X8 I1\nM2\n")->faults(), Faults{"1:12 not_read"});
+    EXPECT_EQ(read_program("G1 X5 Y5 F1OO\nX6\nG2 X8 I1\nM2\n")->faults(), Faults{"1:12 o_word_beside"});
     EXPECT_EQ(read_program("F100 G0 X5 &\nG2 X8 Y0 I1\nG0 X0 Y0\nG2 X9 I1\nM2\n")->faults(),
               (Faults{"1:12 bad_character", "4:4 arc_radius_differs"}));
 }

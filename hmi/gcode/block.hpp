@@ -36,7 +36,7 @@ public:
 
     std::uint64_t line() const noexcept { return line_; }
     bool is_deleted() const noexcept { return is_deleted_; }  ///< the block begins with /
-    bool has_values() const noexcept { return has_values_; }    ///< of parameters and expressions
+    bool has_values() const noexcept { return has_values_; }  ///< of parameters and expressions
     /// Index of the O in the line, where it holds an O word; what stands from there on is not in words().
     std::optional<std::size_t> o_word() const noexcept { return o_word_; }
     std::span<const Word> words() const noexcept { return {words_.data(), count_}; }

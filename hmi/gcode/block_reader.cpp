@@ -66,7 +66,6 @@ public:
             if (byte == ';') return std::nullopt;
             auto problem = byte == '(' ? pass_comment() : read_word(capital(byte));
             if (problem) return problem;
-            if (block_.o_word()) return std::nullopt;
         }
         return std::nullopt;
     }
@@ -143,11 +142,11 @@ private:
     /// It stands at the begin of its line, or behind the line's number.
     std::optional<Problem> find_o_word() {
         const auto words = block_.words();
-        const bool is_first = std::all_of(words.begin(), words.end(),
-                                          [](const Word& word) { return word.letter == 'N'; });
-        if (!is_first)
-            return problem(at_, ProblemCode::o_word_beside, "an O word stands behind other words");
+        const bool is_first =
+            std::all_of(words.begin(), words.end(), [](const Word& word) { return word.letter == 'N'; });
+        if (!is_first) return problem(at_, ProblemCode::o_word_beside, "an O word stands behind other words");
         block_.mark_o_word(at_);
+        at_ = line_.size();
         return std::nullopt;
     }
 

@@ -19,10 +19,37 @@ double truth(bool is_true) noexcept {
 }  // namespace
 
 enum class ExpressionReader::Operator : std::uint8_t {
-    power, product, quotient, modulo, sum, difference, eq, ne, gt, ge, lt, le, both, either, one,
+    power,
+    product,
+    quotient,
+    modulo,
+    sum,
+    difference,
+    eq,
+    ne,
+    gt,
+    ge,
+    lt,
+    le,
+    both,
+    either,
+    one,
 };
 enum class ExpressionReader::Function : std::uint8_t {
-    abs, acos, asin, atan, cos, exists, exp, fix, fup, ln, round, sin, sqrt, tan,
+    abs,
+    acos,
+    asin,
+    atan,
+    cos,
+    exists,
+    exp,
+    fix,
+    fup,
+    ln,
+    round,
+    sin,
+    sqrt,
+    tan,
 };
 
 struct ExpressionReader::OperatorEntry {
@@ -37,11 +64,11 @@ constexpr std::size_t kOperatorCount = 15;
 
 // ** stands before *.
 const ExpressionReader::OperatorEntry ExpressionReader::kOperators[] = {
-    {"**", 5, Operator::power},  {"*", 4, Operator::product},    {"/", 4, Operator::quotient},
-    {"MOD", 4, Operator::modulo}, {"+", 3, Operator::sum},        {"-", 3, Operator::difference},
-    {"EQ", 2, Operator::eq},     {"NE", 2, Operator::ne},        {"GT", 2, Operator::gt},
-    {"GE", 2, Operator::ge},     {"LT", 2, Operator::lt},        {"LE", 2, Operator::le},
-    {"AND", 1, Operator::both},  {"OR", 1, Operator::either},    {"XOR", 1, Operator::one},
+    {"**", 5, Operator::power},   {"*", 4, Operator::product}, {"/", 4, Operator::quotient},
+    {"MOD", 4, Operator::modulo}, {"+", 3, Operator::sum},     {"-", 3, Operator::difference},
+    {"EQ", 2, Operator::eq},      {"NE", 2, Operator::ne},     {"GT", 2, Operator::gt},
+    {"GE", 2, Operator::ge},      {"LT", 2, Operator::lt},     {"LE", 2, Operator::le},
+    {"AND", 1, Operator::both},   {"OR", 1, Operator::either}, {"XOR", 1, Operator::one},
 };
 
 std::optional<std::size_t> ExpressionReader::next_operator() noexcept {
@@ -153,8 +180,7 @@ bool ExpressionReader::read_function(double& value) {
         if (!read_bracketed(value)) return false;
         if (entry.function != Function::atan)
             return is_judging_ || (apply(entry.function, begin, value) && keep_finite(begin, value));
-        if (!take("/"))
-            return fail(at_, ProblemCode::expression_wrong, "ATAN takes two values: ATAN[y]/[x]");
+        if (!take("/")) return fail(at_, ProblemCode::expression_wrong, "ATAN takes two values: ATAN[y]/[x]");
         double across = 0.0;
         if (!read_bracketed(across)) return false;
         value = deg_from_rad(std::atan2(value, across));

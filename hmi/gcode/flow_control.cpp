@@ -24,7 +24,8 @@ std::optional<std::size_t> o_word_in(std::string_view line, bool skips_deleted) 
         if (byte == '/' && skips_deleted) return std::nullopt;
         if (byte == 'n' || byte == 'N') is_in_number = true;
         const bool is_digit = byte >= '0' && byte <= '9';
-        if (is_space(byte) || byte == '/' || byte == 'n' || byte == 'N' || (is_in_number && is_digit)) continue;
+        if (is_space(byte) || byte == '/' || byte == 'n' || byte == 'N' || (is_in_number && is_digit))
+            continue;
         return std::nullopt;
     }
     return std::nullopt;
@@ -150,8 +151,8 @@ FlowControl::Outcome FlowControl::call_by_name(OWordReader& reader, const OWord&
     const bool is_reached = is_running();
     if (auto wrong = reader.read_arguments(word, !is_reached, values_)) return wrong;
     if (!is_reached) return Fault{};
-    const Problem missing = reader.problem(word.begin, ProblemCode::sub_missing,
-                                           "the program has no subroutine o" + word.name);
+    const Problem missing =
+        reader.problem(word.begin, ProblemCode::sub_missing, "the program has no subroutine o" + word.name);
     const Problem deep = reader.problem(word.begin, ProblemCode::too_deep, "100 calls within each other");
     const Subroutine* found = nullptr;
     Call entered;
@@ -194,8 +195,8 @@ FlowControl::Outcome FlowControl::call(const CallByNumber& wanted) {
     if (calls_.size() >= kMostCalls) return fault(ProblemCode::too_deep, "100 calls within each other");
     if (!lines_.can_go_to(found->body))
         return fault(ProblemCode::text_too_long, "O" + name + " has gone by in the stream");
-    calls_.push_back({lines_.place(), found->body, frames_.size(), true, wanted.times - 1, wanted.line,
-                      wanted.column});
+    calls_.push_back(
+        {lines_.place(), found->body, frames_.size(), true, wanted.times - 1, wanted.line, wanted.column});
     parameters_.enter_shared();
     if (const auto gone = lines_.go_to(found->body); !gone) return gone.error();
     return Fault{};
@@ -204,8 +205,8 @@ FlowControl::Outcome FlowControl::call(const CallByNumber& wanted) {
 FlowControl::Outcome FlowControl::go_back(std::uint64_t line, std::uint32_t column) {
     has_begun_ = true;
     if (calls_.empty())
-        return Fault{Problem{line, column, ProblemCode::endless,
-                             "M99 in the main program begins it again for ever"}};
+        return Fault{
+            Problem{line, column, ProblemCode::endless, "M99 in the main program begins it again for ever"}};
     Call& call = calls_.back();
     if (!call.is_by_number)
         return Fault{Problem{line, column, ProblemCode::o_word_place,

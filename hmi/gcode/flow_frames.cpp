@@ -49,8 +49,8 @@ FlowControl::Fault FlowControl::match(const OWordReader& reader, const OWord& wo
                               text + " without " + std::string{name_of(kind)} + " before it");
     if (is_same(frames_.back().name, word.name)) return std::nullopt;
     return reader.problem(word.begin, ProblemCode::o_word_unmatched,
-                          text + " of " + written(word.name) + " within " +
-                              std::string{name_of(kind)} + " of " + written(frames_.back().name));
+                          text + " of " + written(word.name) + " within " + std::string{name_of(kind)} +
+                              " of " + written(frames_.back().name));
 }
 
 FlowControl::Fault FlowControl::begin_block(OWordReader& reader, const OWord& word, Frame frame) {

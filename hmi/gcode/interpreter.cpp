@@ -169,8 +169,9 @@ Interpreter::Fault Interpreter::judge_claims() {
         for (const char letter : {'L', 'R'}) words_.take(letter);
     if (outputs == 66)
         for (const char letter : {'L', 'Q'}) words_.take(letter);
-    for (const bool claims_p : {is_arc, motion_to_be_ == 820, once == 40, once == 100, outputs != kNoCode, calls,
-                                words_.code(CodeGroup::path) == 640, words_.code(CodeGroup::overrides) >= 50})
+    for (const bool claims_p :
+         {is_arc, motion_to_be_ == 820, once == 40, once == 100, outputs != kNoCode, calls,
+          words_.code(CodeGroup::path) == 640, words_.code(CodeGroup::overrides) >= 50})
         claims += claims_p ? 1 : 0;
     if (claims > 0) words_.take('P');
     if (claims > 1 && words_.has('P'))

@@ -24,6 +24,10 @@ struct InterpreterOptions {
     Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
     Position start{};            ///< where the machine stands, machine coordinates
     bool is_start_known = true;  ///< it stands there; false: anywhere
+    /// Loops and calls may have so many blocks executed in all, and so many in a row that make neither a
+    /// move, a dwell nor a stop.
+    std::uint64_t most_repeated_blocks = 100'000'000;
+    std::uint64_t most_idle_blocks = 1'000'000;
 };
 
 /// M98 or M99, which a block asks for.

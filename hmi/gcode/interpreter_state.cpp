@@ -24,11 +24,22 @@ constexpr bool is_foreign(std::uint32_t number) noexcept {
            number >= 5600;
 }
 
-constexpr std::array<std::string_view, 16> kForeignNames{
-    "_adaptive_feed",     "_ccomp",          "_current_pocket", "_feed_hold",
-    "_feed_override",     "_ini",            "_hal",            "_lathe_diameter_mode",
-    "_lathe_radius_mode", "_remap_level",    "_selected_pocket", "_speed_override",
-    "_spindle_css_mode",  "_spindle_rpm_mode", "_task",          "_vmajor"};
+constexpr std::array<std::string_view, 16> kForeignNames{"_adaptive_feed",
+                                                         "_ccomp",
+                                                         "_current_pocket",
+                                                         "_feed_hold",
+                                                         "_feed_override",
+                                                         "_ini",
+                                                         "_hal",
+                                                         "_lathe_diameter_mode",
+                                                         "_lathe_radius_mode",
+                                                         "_remap_level",
+                                                         "_selected_pocket",
+                                                         "_speed_override",
+                                                         "_spindle_css_mode",
+                                                         "_spindle_rpm_mode",
+                                                         "_task",
+                                                         "_vmajor"};
 
 bool is_foreign_name(std::string_view name) noexcept {
     return name == "_vminor" || name.starts_with("_ini[") || name.starts_with("_hal[") ||
@@ -108,7 +119,8 @@ StateAnswer Interpreter::mode(std::string_view name) const noexcept {
     const bool is_inch = modes_.mm_per_unit != 1.0;
     if (name == "_line") return known(static_cast<double>(line_));
     if (name == "_motion_mode") return known(modes_.motion);
-    if (name == "_plane") return known(modes_.plane == &kPlaneXy ? 170 : (modes_.plane == &kPlaneZx ? 180 : 190));
+    if (name == "_plane")
+        return known(modes_.plane == &kPlaneXy ? 170 : (modes_.plane == &kPlaneZx ? 180 : 190));
     if (name == "_metric") return truth_of(!is_inch);
     if (name == "_imperial") return truth_of(is_inch);
     if (name == "_absolute") return truth_of(!modes_.is_incremental);

@@ -62,7 +62,7 @@ private:
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
     std::uint64_t number_ = 0;
-    std::uint64_t offset_ = 0;  ///< of the next line; in a stream counted by what next() has given
+    std::uint64_t offset_ = 0;   ///< of the next line; in a stream counted by what next() has given
     std::uint64_t read_to_ = 0;  ///< of a stream: up to where it has been read
     KeptText kept_;
     std::size_t holds_ = 0;

@@ -52,8 +52,8 @@ bool begins_comment(ExpressionReader& reader) noexcept {
 
 std::string_view name_of(OKeyword keyword) noexcept {
     static constexpr std::array<std::string_view, 16> kNames{
-        "",   "sub",   "endsub",   "call",   "return",    "if",    "elseif",  "else", "endif",
-        "do", "while", "endwhile", "repeat", "endrepeat", "break", "continue"};
+        "",      "sub", "endsub", "call",     "return", "if",        "elseif", "else",
+        "endif", "do",  "while",  "endwhile", "repeat", "endrepeat", "break",  "continue"};
     return kNames[static_cast<std::size_t>(keyword)];
 }
 
@@ -65,7 +65,9 @@ std::optional<Problem> OWordReader::read(std::size_t begin, bool is_judging, OWo
     word.begin = begin;
     word.name.clear();
     ExpressionReader reader{line_, begin + 1, parameters_, is_judging};
-    const auto refuse = [&] { return problem(reader.fault().index, reader.fault().code, reader.fault().what); };
+    const auto refuse = [&] {
+        return problem(reader.fault().index, reader.fault().code, reader.fault().what);
+    };
     if (reader.is_next('<')) {
         if (!reader.read_name(word.name)) return refuse();
         word.name = "<" + word.name + ">";

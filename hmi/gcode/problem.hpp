@@ -97,8 +97,8 @@ struct Problem {
 /// "FILE:LINE:COLUMN: code: what is wrong; remedy"
 std::string problem_text(const Problem& problem, std::string_view file_name);
 
-/// All problems of a program are counted, the first ones of each kind kept. A warning that is kept is not told
-/// again of the same place.
+/// All problems of a program are counted, the first ones of each kind kept. A warning that is kept is not
+/// told again of the same place.
 class ProblemList {
 public:
     static constexpr std::size_t kMostKept = 100;

@@ -37,8 +37,7 @@ bool ProgramReader::is_judging() const noexcept {
 }
 
 bool ProgramReader::is_frame(std::string_view line) {
-    const bool frames =
-        line.size() <= kMostLineBytes && is_percent_line(line) && (is_framed_ || !has_begun_);
+    const bool frames = line.size() <= kMostLineBytes && is_percent_line(line) && (is_framed_ || !has_begun_);
     has_begun_ = has_begun_ || frames || !is_blank_line(line);
     if (!frames) return false;
     if (is_framed_ && is_judging()) {
@@ -61,23 +60,33 @@ Result<ProgramFacts> ProgramReader::read() {
         if (flow_.has_begun() && !is_work_bounded()) break;
         line_count_ = std::max(line_count_, lines_.number());
         if (is_frame(line)) continue;
-        if (const auto read = read_line(line); !read) return read.error();
+        if (has_read_plain(line)) continue;
+        const auto gone = block_->o_word() ? read_o_word(line) : jump();
+        if (!gone) return gone.error();
     }
     if (wants_more()) tell_end();
     return ProgramFacts{line_count_, interpreter_->motion_count(), interpreter_->has_ended()};
 }
 
-Result<void> ProgramReader::read_line(std::string_view line) {
+/// Whether that was all: so it is with nearly every line.
+bool ProgramReader::has_read_plain(std::string_view line) {
     const ReadingMode mode{is_judging(), options_.skips_deleted};
     auto wrong = read_block(line, lines_.number(), *parameters_, mode, *block_);
-    if (options_.skips_deleted && block_->is_deleted()) return {};
+    if (options_.skips_deleted && block_->is_deleted()) return true;
     if (wrong) {
         refuse(std::move(*wrong), line);
-        return {};
+        return true;
     }
-    if (block_->o_word()) return read_o_word(line);
-    if (mode.is_judging) return {};
-    return execute();
+    if (block_->o_word()) return false;
+    if (mode.is_judging) return true;
+    if (block_->has_values()) {
+        if (const auto unset = parameters_->apply()) {
+            refuse({block_->line(), 1, unset->code, unset->what}, {});
+            return true;
+        }
+    }
+    interpreter_->run(*block_, parameters_->is_doubtful());
+    return interpreter_->wanted_jump().code == 0;
 }
 
 Result<void> ProgramReader::read_o_word(std::string_view line) {
@@ -89,17 +98,6 @@ Result<void> ProgramReader::read_o_word(std::string_view line) {
     if (!outcome) return outcome.error();
     tell(std::move(*outcome));
     return {};
-}
-
-Result<void> ProgramReader::execute() {
-    if (block_->has_values()) {
-        if (const auto wrong = parameters_->apply()) {
-            refuse({block_->line(), 1, wrong->code, wrong->what}, {});
-            return {};
-        }
-    }
-    interpreter_->run(*block_, parameters_->is_doubtful());
-    return interpreter_->wanted_jump().code == 0 ? Result<void>{} : jump();
 }
 
 Result<void> ProgramReader::jump() {
@@ -144,11 +142,13 @@ bool ProgramReader::is_work_bounded() {
     ++idle_blocks_;
     if (actions_ != interpreter_->action_count()) idle_blocks_ = 0;
     actions_ = interpreter_->action_count();
-    const bool is_idle = idle_blocks_ > kMostIdleBlocks;
-    if (!is_idle && repeated_blocks_ <= kMostRepeatedBlocks) return true;
-    problems_.add({lines_.number(), 1, is_idle ? ProblemCode::endless : ProblemCode::too_many_blocks,
-                   is_idle ? "1000000 blocks in loops make no move, no dwell and no stop"
-                           : "loops and calls make more than 100000000 blocks"});
+    const bool is_idle = idle_blocks_ > options_.most_idle_blocks;
+    if (!is_idle && repeated_blocks_ <= options_.most_repeated_blocks) return true;
+    const std::string what = is_idle ? std::to_string(options_.most_idle_blocks) +
+                                           " blocks in loops make no move, no dwell and no stop"
+                                     : "loops and calls make more than " +
+                                           std::to_string(options_.most_repeated_blocks) + " blocks";
+    problems_.add({lines_.number(), 1, is_idle ? ProblemCode::endless : ProblemCode::too_many_blocks, what});
     is_given_up_ = true;
     return false;
 }

@@ -19,11 +19,6 @@ namespace psicarve::gcode {
 /// for how it is written alone.
 class ProgramReader {
 public:
-    /// So many blocks may be read again in a row without a move, a dwell or a stop, ...
-    static constexpr std::uint64_t kMostIdleBlocks = 1'000'000;
-    /// ... and so many in all.
-    static constexpr std::uint64_t kMostRepeatedBlocks = 100'000'000;
-
     /// All outlive the reader.
     ProgramReader(LineSource& lines, const InterpreterOptions& options, CanonSink& sink,
                   ProblemList& problems);
@@ -34,9 +29,8 @@ private:
     bool wants_more() const noexcept;
     bool is_frame(std::string_view line);
     bool is_judging() const noexcept;
-    Result<void> read_line(std::string_view line);
+    bool has_read_plain(std::string_view line);
     Result<void> read_o_word(std::string_view line);
-    Result<void> execute();
     Result<void> jump();
     void refuse(Problem wrong, std::string_view line);
     void tell(std::optional<Problem> wrong);

@@ -100,6 +100,7 @@ void LineSource::keep_for_good() {
 
 Result<bool> LineSource::next(std::string_view& line) {
     if (bytes_.seek == nullptr && offset_ != read_to_) {
+        if (!kept_.holds(offset_)) return false;
         line = kept_.line_at(offset_);
         offset_ += line.size() + 1;
         ++number_;

@@ -53,12 +53,16 @@ bool ProgramReader::is_frame(std::string_view line) {
 Result<ProgramFacts> ProgramReader::read() {
     std::string_view line;
     while (wants_more()) {
+        if (const auto gone = leave_flow(); !gone) return gone.error();
         const auto has_line = lines_.next(line);
         if (!has_line) return has_line.error();
         if (!*has_line) break;
         interpreter_->begin_line(lines_.number());
         if (flow_.has_begun() && !is_work_bounded()) break;
-        line_count_ = std::max(line_count_, lines_.number());
+        if (lines_.number() > line_count_) {
+            line_count_ = lines_.number();
+            furthest_ = lines_.place();
+        }
         if (is_frame(line)) continue;
         if (has_read_plain(line)) continue;
         const auto gone = block_->o_word() ? read_o_word(line) : jump();
@@ -66,6 +70,13 @@ Result<ProgramFacts> ProgramReader::read() {
     }
     if (wants_more()) tell_end();
     return ProgramFacts{line_count_, interpreter_->motion_count(), interpreter_->has_ended()};
+}
+
+/// Behind a fault what has been read is not read again.
+Result<void> ProgramReader::leave_flow() {
+    if (has_left_flow_ || !flow_.has_begun() || problems_.error_count() == 0) return {};
+    has_left_flow_ = true;
+    return lines_.go_to(furthest_);
 }
 
 /// Whether that was all: so it is with nearly every line.
@@ -124,8 +135,10 @@ void ProgramReader::refuse(Problem wrong, std::string_view line) {
 }
 
 void ProgramReader::tell(std::optional<Problem> wrong) {
-    if (wrong) problems_.add(std::move(*wrong));
-    if (!lines_.has_overflowed()) return;
+    if (!lines_.has_overflowed()) {
+        if (wrong) problems_.add(std::move(*wrong));
+        return;
+    }
     problems_.add({lines_.number(), 1, ProblemCode::text_too_long,
                    "loops and subroutines of a stream have more than 64 MiB"});
     is_given_up_ = true;
@@ -138,6 +151,7 @@ bool ProgramReader::is_work_bounded() {
         return false;
     }
     if (lines_.number() > line_count_) return true;
+    sink_.end_block();
     ++repeated_blocks_;
     ++idle_blocks_;
     if (actions_ != interpreter_->action_count()) idle_blocks_ = 0;

@@ -29,6 +29,7 @@ private:
     bool wants_more() const noexcept;
     bool is_frame(std::string_view line);
     bool is_judging() const noexcept;
+    Result<void> leave_flow();
     bool has_read_plain(std::string_view line);
     Result<void> read_o_word(std::string_view line);
     Result<void> jump();
@@ -48,6 +49,8 @@ private:
     bool has_begun_ = false;
     bool is_framed_ = false;
     bool is_given_up_ = false;
+    bool has_left_flow_ = false;
+    LinePlace furthest_{};  ///< behind the last line of which something is known
     std::uint64_t line_count_ = 0;
     std::uint64_t repeated_blocks_ = 0;
     std::uint64_t idle_blocks_ = 0;

@@ -118,6 +118,10 @@ TEST(Flow, PassesOverWhatIsNotRunButJudgesHowItIsWritten) {
 TEST(Flow, IsNotFollowedBehindAFault) {
     EXPECT_EQ(faults_in("o1 repeat [5]\nG0 G1 X1\no1 endrepeat\no2 endif\nG0 X[\nM2\n"),
               (Faults{"2:4 group_conflict", "5:6 number_missing"}));
+    EXPECT_EQ(faults_in("o1 sub\nG0 G1\no1 endsub\no1 call\nG0 X[\nM2\n"),
+              (Faults{"2:4 group_conflict", "5:6 number_missing"}));
+    EXPECT_EQ(faults_in("M98 P1\nG0 X[\nM2\nO1\nG0 G1\nM99\nG0 Y&\n"),
+              (Faults{"5:4 group_conflict", "7:4 number_missing"}));
     EXPECT_EQ(faults_in("o1 while #1\nG0 X1\no1 endwhile\n"), Faults{"1:10 bracket_missing"});
 }
 
@@ -138,7 +142,7 @@ TEST(Flow, EndsALoopThatMovesNothing) {
     EXPECT_EQ(faults("o1 sub\no2 repeat [10]\no2 endrepeat\no1 endsub\no3 while [1]\no1 call\no3 endwhile\n"),
               Faults{"3:1 endless"});
     EXPECT_EQ(faults("o1 repeat [900]\n#1=[#1+1]\no1 endrepeat\n"), Faults{"2:1 endless"});
-    EXPECT_EQ(faults("o1 while [1]\nG0 X5\no1 endwhile\n"), Faults{"2:1 endless"});
+    EXPECT_EQ(faults("o1 while [1]\nG0 X5\no1 endwhile\n"), Faults{"3:1 endless"});
     // A dwell lasts, too, and so do a stop and a whole circle.
     EXPECT_EQ(faults("o1 repeat [600]\nG4 P0.1\no1 endrepeat\n"), Faults{});
     EXPECT_EQ(faults("o1 repeat [600]\nM0\no1 endrepeat\n"), Faults{});

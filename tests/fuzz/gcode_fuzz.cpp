@@ -84,7 +84,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         gcode::SoundMotion motion{problems};
         const auto facts = gcode::interpret_program(lines, options, motion, problems);
         const std::string now = gcode::judged(facts, problems, motion);
-        fuzz::require(is_file || now == told, "a stream means what a file means");
+        // A number that has gone by in a stream is not found again.
+        const bool has_gone_by = now.find("text_too_long") != std::string::npos;
+        fuzz::require(is_file || has_gone_by || now == told, "a stream means what a file means");
         told = now;
     }
     return 0;

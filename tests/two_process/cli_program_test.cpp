@@ -183,6 +183,45 @@ TEST_F(RunProgram, HoldsWhereItsReaderWasKilled) {
     EXPECT_EQ(run({"gcode", "run", program("G21 G90 F300\nG0 X45\nM2\n")}).exit_code, 0);
 }
 
+// As where its reader is killed, but that line and reason are told.
+TEST_F(RunProgram, HoldsWhereTheCoreRefusesARecord) {
+    const std::vector<std::string> kept{"--state", file("state")};
+    start_homed(kept);
+    auto segment = Segment::attach(segment_);
+    ASSERT_TRUE(segment);
+    auto writer = ProgramWriter::claim(*segment);
+    ASSERT_TRUE(writer && writer->begin(milliseconds{60'000}));
+    MotionRecord spindle{};
+    spindle.kind = MotionKind::spindle;
+    spindle.line = 2;
+    spindle.code = 1;
+    MotionRecord dwell{};
+    dwell.kind = MotionKind::dwell;
+    dwell.line = 3;
+    dwell.seconds = -1.0;
+    ASSERT_EQ(writer->put(spindle), ProgramPut::done);
+    ASSERT_EQ(writer->put(dwell), ProgramPut::done);
+    Command command{};
+    command.kind = CommandKind::program;
+    command.value2 = writer->program();
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        command.target[k] = static_cast<double>(status().position_pulses[k]);
+    ASSERT_TRUE(send_command(*segment, command, milliseconds{60'000}));
+    ASSERT_TRUE(comes_to_hold(ProgramHold::refused));
+    EXPECT_NE(status().signals & bit_of(Signal::spindle), 0U);
+    const std::string said = "held, program refused (line 3: a way or dwell takes no time below zero";
+    EXPECT_NE(run({"status"}).out.find(said), std::string::npos) << run({"status"}).out;
+    EXPECT_NE(run({"resume"}).exit_code, 0);
+    EXPECT_EQ(program_status().hold, ProgramHold::refused);
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    EXPECT_EQ(state(), MachineState::ready);
+    EXPECT_EQ(status().signals & bit_of(Signal::spindle), 0U);
+    const auto log = [&] { return run({"log", "--state", file("state"), "--kind", "job"}).out; };
+    EXPECT_TRUE(eventually([&] {
+        return log().find("program ended: refused at line 2; line 3: a way or dwell") != std::string::npos;
+    })) << log();
+}
+
 // How quickly the reader writes, and whether it is stopped in between, does not show in the pulses.
 TEST_F(RunProgram, GivesTheSamePulsesHoweverItsReaderPauses) {
     std::vector<std::string> traces;

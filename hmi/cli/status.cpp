@@ -58,7 +58,7 @@ std::optional<Profile> known_profile(machine::MachineLink& link, const std::opti
 class RunningPass {
 public:
     std::string name(machine::MachineLink& link, const CoreStatus& status) {
-        if (!runs_job(status.state)) return {};
+        if (!runs_job(status.state) || program_report(link.segment()).status.is_running != 0) return {};
         if (status.job_generation != generation_) look(link, status.job_generation);
         for (const JobPass& pass : passes_)
             if (status.layer - pass.first_layer < pass.layer_count) return pass_name(pass);
@@ -197,7 +197,10 @@ Error with_last_state(machine::MachineLink& link, Error error) {
     const auto last = link.last_status();
     if (!last || link.core_pid()) return error;
     error.message += "; the last one left it " + state_text(*last);
-    if (last->points_total > 0) {
+    const ProgramStatus program = program_report(link.segment()).status;
+    if (program.is_running != 0) {
+        error.message += " in line " + std::to_string(program.line) + " of its program";
+    } else if (last->points_total > 0) {
         error.message +=
             " at layer " + std::to_string(last->layer) + ", point " + std::to_string(last->point);
     }

@@ -183,6 +183,19 @@ TEST_F(RunProgram, HoldsWhereItsReaderWasKilled) {
     EXPECT_EQ(run({"gcode", "run", program("G21 G90 F300\nG0 X45\nM2\n")}).exit_code, 0);
 }
 
+TEST_F(RunProgram, TellsInWhichLineItsCoreDied) {
+    start_homed();
+    const auto running = begin({program("G21 G90 F300\nM3\nG0 X40\nM0\nG0 X41\nM2\n")});
+    ASSERT_TRUE(comes_to_hold(ProgramHold::program));
+    core_->send(SIGKILL);
+    core_->wait();
+    const Outcome status = run({"status"});
+    EXPECT_EQ(status.exit_code, 5);
+    EXPECT_NE(status.error.find("the last one left it held in line 4 of its program"), std::string::npos)
+        << status.error;
+    EXPECT_EQ(running->wait(), 5) << running->error();
+}
+
 // As where its reader is killed, but that line and reason are told.
 TEST_F(RunProgram, HoldsWhereTheCoreRefusesARecord) {
     const std::vector<std::string> kept{"--state", file("state")};

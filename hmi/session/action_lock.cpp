@@ -19,16 +19,14 @@ bool is_broken_off(const MachineView& machine) noexcept {
 
 /// Where a program runs, the words that differ from those of a job.
 Lock motion_lock_of_program(const MachineView& machine) {
-    if (is_broken_off(machine)) return phrase("Locked: nothing is left of the program; stop");
+    if (is_broken_off(machine)) return phrase("Locked on hold: stop");
     if (machine.state() == S::carving || machine.state() == S::holding)
         return phrase("Locked while a program runs");
     return std::nullopt;
 }
 
 Lock start_lock_of_program(const MachineView& machine) {
-    if (is_broken_off(machine)) return phrase("Start: a program is on hold, nothing is left of it; stop");
-    if (machine.state() == S::held || machine.state() == S::holding)
-        return phrase("Start: a program is on hold; resume or stop");
+    if (is_broken_off(machine)) return phrase("Start: on hold; only Stop is left");
     if (machine.state() == S::carving) return phrase("Start: a program runs");
     return std::nullopt;
 }

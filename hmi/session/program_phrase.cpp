@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/program_phrase.hpp"
 
-#include <utility>
-
 namespace psicarve::session {
 
 Phrase hold_phrase(ProgramHold hold) {
@@ -22,15 +20,15 @@ Phrase hold_phrase(ProgramHold hold) {
         case ProgramHold::feeder_lost:
             return phrase("its reader is gone");
         case ProgramHold::refused:
-            return phrase("the core refused what follows");
+            return phrase("a record was refused");
     }
     return {};  // a number from shared memory may be anything
 }
 
 Phrase program_place(const ProgramStatus& program) {
-    Phrase line = program.line == 0 ? phrase("Before its first line") : phrase("Line %1", line_text(program));
     Phrase hold = hold_phrase(program.hold);
-    return hold.is_empty() ? line : joined(std::move(line), std::move(hold));
+    if (!hold.is_empty()) return hold;
+    return program.line == 0 ? phrase("Before its first line") : phrase("Line %1", line_text(program));
 }
 
 Phrase program_line(const ProgramStatus& program) {

@@ -15,7 +15,7 @@ inline std::string line_text(const ProgramStatus& program) {
 }
 /// "tool change (M6)"; nothing where it is held by a command, or not at all.
 Phrase hold_phrase(ProgramHold hold);
-/// "Line 12: tool change (M6)": beside a word that says that it is a program.
+/// "tool change (M6)", or "Line 12" where nothing but a command holds it: short, beside program_line().
 Phrase program_place(const ProgramStatus& program);
 /// "Program, line 12".
 Phrase program_line(const ProgramStatus& program);

@@ -2378,7 +2378,11 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Locked on hold: resume or stop</source>
-            <translation>На паузе заперто: продолжите или остановите</translation>
+            <translation>Пауза: продолжите или остановите</translation>
+        </message>
+        <message>
+            <source>Locked on hold: stop</source>
+            <translation>Пауза: остаётся лишь «Стоп»</translation>
         </message>
         <message>
             <source>Locked until the alarm is reset</source>
@@ -2386,7 +2390,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Locked while a program runs</source>
-            <translation>Заблокировано, пока выполняется программа</translation>
+            <translation>Заперто, пока выполняется программа</translation>
         </message>
         <message>
             <source>Locked while an axis moves</source>
@@ -2403,10 +2407,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Locked while the machine stops</source>
             <translation>Заперто во время остановки</translation>
-        </message>
-        <message>
-            <source>Locked: nothing is left of the program; stop</source>
-            <translation>Заблокировано: от программы ничего не осталось; остановите</translation>
         </message>
         <message>
             <source>Locked: the heads wait at the first point; start or stop</source>
@@ -3094,7 +3094,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Program held in line %1</source>
-            <translation>Программа на удержании в строке %1</translation>
+            <translation>Пауза программы в строке %1</translation>
         </message>
         <message>
             <source>Program stopped in line %1</source>
@@ -3889,16 +3889,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: задание составляется</translation>
         </message>
         <message>
-            <source>Start: a program is on hold, nothing is left of it; stop</source>
-            <translation>Старт: программа на удержании, от неё ничего не осталось; остановите</translation>
-        </message>
-        <message>
-            <source>Start: a program is on hold; resume or stop</source>
-            <translation>Старт: программа на удержании; продолжите или остановите</translation>
-        </message>
-        <message>
             <source>Start: a program runs</source>
-            <translation>Старт: выполняется программа</translation>
+            <translation>Пуск: выполняется программа</translation>
         </message>
         <message>
             <source>Start: already carving</source>
@@ -3919,6 +3911,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: no layer was finished</source>
             <translation>Пуск: ни один слой не закончен</translation>
+        </message>
+        <message>
+            <source>Start: on hold; only Stop is left</source>
+            <translation>Пуск: пауза; остаётся лишь «Стоп»</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -5245,6 +5241,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a pulse, its gap and the writes take %1 us, more than a tick of %2 us; lengthen tick.period_us, shorten port.step_high_ns or port.step_low_ns, or set port.pulses = "over-ticks"</source>
             <translation>импульс, пауза и запись в порт занимают %1 us, больше такта в %2 us; увеличьте tick.period_us, сократите port.step_high_ns или port.step_low_ns или задайте port.pulses = "over-ticks"</translation>
+        </message>
+        <message>
+            <source>a record was refused</source>
+            <translation>запись отвергнута</translation>
         </message>
         <message>
             <source>a recorded run is being replayed</source>
@@ -7097,10 +7097,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the core of segment %1 (process %2) is silent</source>
             <translation>ядро сегмента %1 (процесс %2) молчит</translation>
-        </message>
-        <message>
-            <source>the core refused what follows</source>
-            <translation>ядро отвергло продолжение</translation>
         </message>
         <message>
             <source>the core refuses it and gives no reason</source>

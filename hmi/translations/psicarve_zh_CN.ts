@@ -2380,6 +2380,10 @@ N、Shift+N  下一条、上一条记录
             <translation>暂停中锁定：请继续或停止</translation>
         </message>
         <message>
+            <source>Locked on hold: stop</source>
+            <translation>暂停时锁定：请停止</translation>
+        </message>
+        <message>
             <source>Locked until the alarm is reset</source>
             <translation>报警复位前锁定</translation>
         </message>
@@ -2402,10 +2406,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Locked while the machine stops</source>
             <translation>停止过程中锁定</translation>
-        </message>
-        <message>
-            <source>Locked: nothing is left of the program; stop</source>
-            <translation>锁定：程序已无剩余内容；请停止</translation>
         </message>
         <message>
             <source>Locked: the heads wait at the first point; start or stop</source>
@@ -3884,14 +3884,6 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：正在生成作业</translation>
         </message>
         <message>
-            <source>Start: a program is on hold, nothing is left of it; stop</source>
-            <translation>启动：程序已暂停且已无剩余内容；请停止</translation>
-        </message>
-        <message>
-            <source>Start: a program is on hold; resume or stop</source>
-            <translation>启动：程序已暂停；请继续或停止</translation>
-        </message>
-        <message>
             <source>Start: a program runs</source>
             <translation>启动：程序正在运行</translation>
         </message>
@@ -3914,6 +3906,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: no layer was finished</source>
             <translation>启动：没有完成的层</translation>
+        </message>
+        <message>
+            <source>Start: on hold; only Stop is left</source>
+            <translation>启动：已暂停；只能停止</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -5240,6 +5236,10 @@ N、Shift+N  下一条、上一条记录
             <translation>一个脉冲、其间隔和写端口共需 %1 us，超过一个 %2 us 的节拍；请加长 tick.period_us，缩短 port.step_high_ns 或 port.step_low_ns，或设 port.pulses = "over-ticks"</translation>
         </message>
         <message>
+            <source>a record was refused</source>
+            <translation>有记录被拒绝</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>正在重放已记录的运行</translation>
         </message>
@@ -5993,7 +5993,7 @@ N、Shift+N  下一条、上一条记录
         </message>
         <message>
             <source>its reader is gone</source>
-            <translation>读取程序的进程已消失</translation>
+            <translation>读取进程已消失</translation>
         </message>
         <message>
             <source>its reader was gone</source>
@@ -7090,10 +7090,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the core of segment %1 (process %2) is silent</source>
             <translation>共享段 %1 的内核（进程 %2）没有响应</translation>
-        </message>
-        <message>
-            <source>the core refused what follows</source>
-            <translation>内核拒绝了后面的内容</translation>
         </message>
         <message>
             <source>the core refuses it and gives no reason</source>

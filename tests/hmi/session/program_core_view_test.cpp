@@ -93,7 +93,7 @@ TEST_F(ProgramOnCore, LeavesThePieceOfTheJobBeforeItAsItIs) {
     ASSERT_NO_FATAL_FAILURE(begin_program(6.0));
     ASSERT_TRUE(is_held_in_program());
     EXPECT_TRUE(session_->view().runs_program());
-    EXPECT_EQ(in_english(state_text(session_->view(), 3).second), "Line 8: tool change (M6)");
+    EXPECT_EQ(in_english(state_text(session_->view(), 3).second), "tool change (M6)");
     EXPECT_LT(done_ratio(session_->view()), 0.0);
     EXPECT_EQ(session_->view().status->job_end_tick, after_job.job_end_tick);
     session_->stop();

@@ -98,13 +98,13 @@ TEST(ProgramView, SaysWhyItIsHeld) {
     const auto second = [](ProgramHold hold) {
         return in_english(state_text(program_in(S::held, hold), 28).second);
     };
-    EXPECT_EQ(second(ProgramHold::program), "Line 12: stop (M0)");
-    EXPECT_EQ(second(ProgramHold::optional), "Line 12: optional stop (M1)");
-    EXPECT_EQ(second(ProgramHold::tool_change), "Line 12: tool change (M6)");
-    EXPECT_EQ(second(ProgramHold::single), "Line 12: single block");
-    EXPECT_EQ(second(ProgramHold::starved), "Line 12: waits for more of it");
-    EXPECT_EQ(second(ProgramHold::feeder_lost), "Line 12: its reader is gone");
-    EXPECT_EQ(second(ProgramHold::refused), "Line 12: the core refused what follows");
+    EXPECT_EQ(second(ProgramHold::program), "stop (M0)");
+    EXPECT_EQ(second(ProgramHold::optional), "optional stop (M1)");
+    EXPECT_EQ(second(ProgramHold::tool_change), "tool change (M6)");
+    EXPECT_EQ(second(ProgramHold::single), "single block");
+    EXPECT_EQ(second(ProgramHold::starved), "waits for more of it");
+    EXPECT_EQ(second(ProgramHold::feeder_lost), "its reader is gone");
+    EXPECT_EQ(second(ProgramHold::refused), "a record was refused");
     EXPECT_EQ(second(static_cast<ProgramHold>(99)), "Line 12") << "a number from shared memory";
 }
 
@@ -133,8 +133,7 @@ TEST(ProgramView, OffersNoLayerToContinueFrom) {
 
 TEST(ProgramView, SaysWhatTheButtonsDo) {
     EXPECT_EQ(lock_text(Action::start, program_in(S::carving)), "Start: a program runs");
-    EXPECT_EQ(lock_text(Action::from_layer, program_in(S::held)),
-              "Start: a program is on hold; resume or stop");
+    EXPECT_EQ(lock_text(Action::from_layer, program_in(S::held)), "Start: on hold; resume or stop");
     EXPECT_EQ(lock_text(Action::jog, program_in(S::carving)), "Locked while a program runs");
     EXPECT_EQ(lock_text(Action::hold, program_in(S::carving)), "");
     EXPECT_EQ(lock_text(Action::resume, program_in(S::held, ProgramHold::tool_change)), "");
@@ -144,10 +143,8 @@ TEST(ProgramView, SaysWhatTheButtonsDo) {
         EXPECT_EQ(lock_text(Action::resume, program_in(S::held, hold)),
                   "Resume: nothing is left of the program; stop");
         EXPECT_EQ(lock_text(Action::stop, program_in(S::held, hold)), "");
-        EXPECT_EQ(lock_text(Action::start, program_in(S::held, hold)),
-                  "Start: a program is on hold, nothing is left of it; stop");
-        EXPECT_EQ(lock_text(Action::home, program_in(S::held, hold)),
-                  "Locked: nothing is left of the program; stop");
+        EXPECT_EQ(lock_text(Action::start, program_in(S::held, hold)), "Start: on hold; only Stop is left");
+        EXPECT_EQ(lock_text(Action::home, program_in(S::held, hold)), "Locked on hold: stop");
     }
     EXPECT_EQ(lock_text(Action::hold, program_in(S::held, ProgramHold::starved)), "")
         << "it stays held then, when more comes";

@@ -106,6 +106,7 @@ SegmentOptions segment_options_of(const CoreOptions& options) {
     segment.name = options.segment_name;
     segment.capacity_layers = options.capacity_layers;
     segment.capacity_points = options.capacity_points;
+    segment.capacity_records = options.capacity_records;
     segment.group = options.group;
     return segment;
 }

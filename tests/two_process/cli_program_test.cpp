@@ -159,6 +159,16 @@ TEST_F(RunProgram, StopsWithItsOperatorAndCanBeRunAgain) {
     EXPECT_EQ(pulses(Axis::r1), 18'000);
 }
 
+TEST_F(RunProgram, IsFedThroughARingOfTheSizeThatTheCoreWasAskedFor) {
+    start_homed({"--program-ring", "64"});
+    const auto segment = Segment::attach(segment_);
+    ASSERT_TRUE(segment);
+    EXPECT_EQ(segment->header().capacity_records, 64U);
+    const Outcome done = run({"gcode", "run", program(long_program(1000))});
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_EQ(program_status().line, 1003U);
+}
+
 TEST_F(RunProgram, RefusesASecondWriterAndNamesTheFirst) {
     start_homed();
     const auto running = begin({program(long_program(200'000))});

@@ -118,6 +118,7 @@ private:
     void keep_attached();
     std::optional<std::uint32_t> core_now() noexcept;
     void look();
+    void take_program(const ProgramStatus& before, const CoreStatus& status);
     void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
     void look_for_profile();

@@ -588,6 +588,14 @@
             <translation>%1–%2°, через 0° (%3 %)</translation>
         </message>
         <message>
+            <source>%2 (line %1 of the program)</source>
+            <translation>%2 (строка %1 программы)</translation>
+        </message>
+        <message>
+            <source>%2 · override %1 %</source>
+            <translation>%2 · коррекция %1 %</translation>
+        </message>
+        <message>
             <source>%3 (layer %1, point %2)</source>
             <translation>%3 (слой %1, точка %2)</translation>
         </message>
@@ -906,6 +914,10 @@
         <message>
             <source>Before</source>
             <translation>Было</translation>
+        </message>
+        <message>
+            <source>Before its first line</source>
+            <translation>Перед первой строкой</translation>
         </message>
         <message>
             <source>Before this window was there: %1</source>
@@ -1429,8 +1441,8 @@
             <translation>Завершите psicarve-rtcore, процесс %1</translation>
         </message>
         <message>
-            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
-            <translation>Завершает задание по порядку: головки наружу, шпиндель выключен (Shift+Esc)</translation>
+            <source>Ends the job or program: heads out, spindle off (Shift+Esc)</source>
+            <translation>Завершает задание или программу: головки наружу, шпиндель выключен (Shift+Esc)</translation>
         </message>
         <message>
             <source>English</source>
@@ -2349,6 +2361,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Концевики</translation>
         </message>
         <message>
+            <source>Line %1</source>
+            <translation>Строка %1</translation>
+        </message>
+        <message>
             <source>Live machine: %1</source>
             <translation>Станок: %1</translation>
         </message>
@@ -2362,11 +2378,19 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Locked on hold: resume or stop</source>
-            <translation>На паузе заперто: продолжите или остановите</translation>
+            <translation>Пауза: продолжите или остановите</translation>
+        </message>
+        <message>
+            <source>Locked on hold: stop</source>
+            <translation>Пауза: остаётся лишь «Стоп»</translation>
         </message>
         <message>
             <source>Locked until the alarm is reset</source>
             <translation>Заперто до сброса аварии</translation>
+        </message>
+        <message>
+            <source>Locked while a program runs</source>
+            <translation>Заперто, пока выполняется программа</translation>
         </message>
         <message>
             <source>Locked while an axis moves</source>
@@ -2669,6 +2693,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ближе к оси ничего не вырезается.</translation>
         </message>
         <message>
+            <source>Nothing is left of it but to stop</source>
+            <translation>Её можно только остановить</translation>
+        </message>
+        <message>
             <source>Nothing is left over</source>
             <translation>Ничего не остаётся</translation>
         </message>
@@ -2851,6 +2879,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>POSITIONING</source>
             <translation>ПОДВОД</translation>
+        </message>
+        <message>
+            <source>PROGRAM</source>
+            <translation>ПРОГРАММА</translation>
         </message>
         <message>
             <source>Page faults, preemptions of the tick</source>
@@ -3039,6 +3071,42 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Profiles (*.toml)</source>
             <translation>Профили (*.toml)</translation>
+        </message>
+        <message>
+            <source>Program begun</source>
+            <translation>Программа начата</translation>
+        </message>
+        <message>
+            <source>Program broke off behind line %1</source>
+            <translation>Программа оборвалась после строки %1</translation>
+        </message>
+        <message>
+            <source>Program done, up to line %1</source>
+            <translation>Программа выполнена, до строки %1</translation>
+        </message>
+        <message>
+            <source>Program ended by an alarm in line %1</source>
+            <translation>Программа прервана аварией в строке %1</translation>
+        </message>
+        <message>
+            <source>Program ended in line %1</source>
+            <translation>Программа закончилась в строке %1</translation>
+        </message>
+        <message>
+            <source>Program held in line %1</source>
+            <translation>Пауза программы в строке %1</translation>
+        </message>
+        <message>
+            <source>Program stopped in line %1</source>
+            <translation>Программа остановлена в строке %1</translation>
+        </message>
+        <message>
+            <source>Program, before its first line</source>
+            <translation>Программа, перед первой строкой</translation>
+        </message>
+        <message>
+            <source>Program, line %1</source>
+            <translation>Программа, строка %1</translation>
         </message>
         <message>
             <source>Progress</source>
@@ -3391,6 +3459,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Resume: not on hold</source>
             <translation>Продолжить: паузы нет</translation>
+        </message>
+        <message>
+            <source>Resume: nothing is left of the program; stop</source>
+            <translation>Продолжить: от программы ничего не осталось; остановите</translation>
+        </message>
+        <message>
+            <source>Resume: the program goes on by itself when more of it comes</source>
+            <translation>Продолжить: программа продолжится сама, когда поступит её продолжение</translation>
         </message>
         <message>
             <source>Roughing</source>
@@ -3813,6 +3889,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: задание составляется</translation>
         </message>
         <message>
+            <source>Start: a program runs</source>
+            <translation>Пуск: выполняется программа</translation>
+        </message>
+        <message>
             <source>Start: already carving</source>
             <translation>Пуск: резьба уже идёт</translation>
         </message>
@@ -3831,6 +3911,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: no layer was finished</source>
             <translation>Пуск: ни один слой не закончен</translation>
+        </message>
+        <message>
+            <source>Start: on hold; only Stop is left</source>
+            <translation>Пуск: пауза; остаётся лишь «Стоп»</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -4117,6 +4201,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ядро завершилось в слое %1, точке %2</translation>
         </message>
         <message>
+            <source>The core has ended in line %1 of its program</source>
+            <translation>Ядро завершилось в строке %1 программы</translation>
+        </message>
+        <message>
             <source>The core has ended in the middle of its work</source>
             <translation>Ядро завершилось посреди работы</translation>
         </message>
@@ -4147,6 +4235,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The core is silent, in layer %1, point %2</source>
             <translation>Ядро замолчало в слое %1, точке %2</translation>
+        </message>
+        <message>
+            <source>The core is silent, in line %1 of its program</source>
+            <translation>Ядро молчит, в строке %1 программы</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
@@ -5151,6 +5243,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>импульс, пауза и запись в порт занимают %1 us, больше такта в %2 us; увеличьте tick.period_us, сократите port.step_high_ns или port.step_low_ns или задайте port.pulses = "over-ticks"</translation>
         </message>
         <message>
+            <source>a record was refused</source>
+            <translation>запись отвергнута</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>повторяется записанный прогон</translation>
         </message>
@@ -5903,6 +5999,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>контуры не охватывают площади; вырезать нечего</translation>
         </message>
         <message>
+            <source>its reader is gone</source>
+            <translation>её читатель исчез</translation>
+        </message>
+        <message>
+            <source>its reader was gone</source>
+            <translation>её читатель исчез</translation>
+        </message>
+        <message>
             <source>job</source>
             <translation>задание</translation>
         </message>
@@ -6491,6 +6595,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>открытие отменено</translation>
         </message>
         <message>
+            <source>optional stop (M1)</source>
+            <translation>условный останов (M1)</translation>
+        </message>
+        <message>
             <source>ordinary scheduling</source>
             <translation>обычное планирование</translation>
         </message>
@@ -6625,6 +6733,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ проходит за слой больше, чем может любой станок</translation>
+        </message>
+        <message>
+            <source>psicarve gcode run FILE --from-line %1</source>
+            <translation>psicarve gcode run FILE --from-line %1</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -6787,6 +6899,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>молчит</translation>
         </message>
         <message>
+            <source>single block</source>
+            <translation>по кадрам</translation>
+        </message>
+        <message>
             <source>single or two-timer</source>
             <translation>single или two-timer</translation>
         </message>
@@ -6857,6 +6973,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>still tripped: %1; release it or back off</source>
             <translation>ещё сработал: %1; освободите или отведите ось</translation>
+        </message>
+        <message>
+            <source>stop (M0)</source>
+            <translation>останов (M0)</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -7339,6 +7459,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слишком много команд сразу; подождите остальные</translation>
         </message>
         <message>
+            <source>tool change (M6)</source>
+            <translation>смена инструмента (M6)</translation>
+        </message>
+        <message>
             <source>true or false</source>
             <translation>true или false</translation>
         </message>
@@ -7397,6 +7521,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>waiting</source>
             <translation>ждёт</translation>
+        </message>
+        <message>
+            <source>waits for more of it</source>
+            <translation>ждёт продолжения</translation>
         </message>
         <message>
             <source>warning</source>

@@ -588,6 +588,14 @@
             <translation>%1–%2°，经过 0°（%3 %）</translation>
         </message>
         <message>
+            <source>%2 (line %1 of the program)</source>
+            <translation>%2（程序第 %1 行）</translation>
+        </message>
+        <message>
+            <source>%2 · override %1 %</source>
+            <translation>%2 · 倍率 %1 %</translation>
+        </message>
+        <message>
             <source>%3 (layer %1, point %2)</source>
             <translation>%3（第 %1 层，第 %2 点）</translation>
         </message>
@@ -906,6 +914,10 @@
         <message>
             <source>Before</source>
             <translation>原值</translation>
+        </message>
+        <message>
+            <source>Before its first line</source>
+            <translation>在第一行之前</translation>
         </message>
         <message>
             <source>Before this window was there: %1</source>
@@ -1428,8 +1440,8 @@
             <translation>结束 psicarve-rtcore，进程 %1</translation>
         </message>
         <message>
-            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
-            <translation>有序结束作业：刀头退出，主轴关闭（Shift+Esc）</translation>
+            <source>Ends the job or program: heads out, spindle off (Shift+Esc)</source>
+            <translation>结束作业或程序：刀头退出，主轴关闭（Shift+Esc）</translation>
         </message>
         <message>
             <source>English</source>
@@ -2348,6 +2360,10 @@ N、Shift+N  下一条、上一条记录
             <translation>限位均断开</translation>
         </message>
         <message>
+            <source>Line %1</source>
+            <translation>第 %1 行</translation>
+        </message>
+        <message>
             <source>Live machine: %1</source>
             <translation>实际机床：%1</translation>
         </message>
@@ -2364,8 +2380,16 @@ N、Shift+N  下一条、上一条记录
             <translation>暂停中锁定：请继续或停止</translation>
         </message>
         <message>
+            <source>Locked on hold: stop</source>
+            <translation>暂停时锁定：请停止</translation>
+        </message>
+        <message>
             <source>Locked until the alarm is reset</source>
             <translation>报警复位前锁定</translation>
+        </message>
+        <message>
+            <source>Locked while a program runs</source>
+            <translation>程序运行时锁定</translation>
         </message>
         <message>
             <source>Locked while an axis moves</source>
@@ -2668,6 +2692,10 @@ N、Shift+N  下一条、上一条记录
             <translation>不会雕刻到比此更靠近轴心处。</translation>
         </message>
         <message>
+            <source>Nothing is left of it but to stop</source>
+            <translation>只能停止它</translation>
+        </message>
+        <message>
             <source>Nothing is left over</source>
             <translation>没有余料</translation>
         </message>
@@ -2850,6 +2878,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>POSITIONING</source>
             <translation>定位中</translation>
+        </message>
+        <message>
+            <source>PROGRAM</source>
+            <translation>程序</translation>
         </message>
         <message>
             <source>Page faults, preemptions of the tick</source>
@@ -3038,6 +3070,42 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Profiles (*.toml)</source>
             <translation>配置 (*.toml)</translation>
+        </message>
+        <message>
+            <source>Program begun</source>
+            <translation>程序已开始</translation>
+        </message>
+        <message>
+            <source>Program broke off behind line %1</source>
+            <translation>程序在第 %1 行之后中断</translation>
+        </message>
+        <message>
+            <source>Program done, up to line %1</source>
+            <translation>程序已完成，至第 %1 行</translation>
+        </message>
+        <message>
+            <source>Program ended by an alarm in line %1</source>
+            <translation>程序在第 %1 行因报警结束</translation>
+        </message>
+        <message>
+            <source>Program ended in line %1</source>
+            <translation>程序在第 %1 行结束</translation>
+        </message>
+        <message>
+            <source>Program held in line %1</source>
+            <translation>程序在第 %1 行暂停</translation>
+        </message>
+        <message>
+            <source>Program stopped in line %1</source>
+            <translation>程序在第 %1 行停止</translation>
+        </message>
+        <message>
+            <source>Program, before its first line</source>
+            <translation>程序，在第一行之前</translation>
+        </message>
+        <message>
+            <source>Program, line %1</source>
+            <translation>程序，第 %1 行</translation>
         </message>
         <message>
             <source>Progress</source>
@@ -3386,6 +3454,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Resume: not on hold</source>
             <translation>继续：未暂停</translation>
+        </message>
+        <message>
+            <source>Resume: nothing is left of the program; stop</source>
+            <translation>继续：程序已无剩余内容；请停止</translation>
+        </message>
+        <message>
+            <source>Resume: the program goes on by itself when more of it comes</source>
+            <translation>继续：后续内容到达后程序会自行继续</translation>
         </message>
         <message>
             <source>Roughing</source>
@@ -3808,6 +3884,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：正在生成作业</translation>
         </message>
         <message>
+            <source>Start: a program runs</source>
+            <translation>启动：程序正在运行</translation>
+        </message>
+        <message>
             <source>Start: already carving</source>
             <translation>启动：已在雕刻</translation>
         </message>
@@ -3826,6 +3906,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: no layer was finished</source>
             <translation>启动：没有完成的层</translation>
+        </message>
+        <message>
+            <source>Start: on hold; only Stop is left</source>
+            <translation>启动：已暂停；只能停止</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -4112,6 +4196,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内核在第 %1 层、第 %2 点结束</translation>
         </message>
         <message>
+            <source>The core has ended in line %1 of its program</source>
+            <translation>内核在其程序的第 %1 行结束</translation>
+        </message>
+        <message>
             <source>The core has ended in the middle of its work</source>
             <translation>内核在工作中途结束</translation>
         </message>
@@ -4142,6 +4230,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The core is silent, in layer %1, point %2</source>
             <translation>内核无响应，在第 %1 层、第 %2 点</translation>
+        </message>
+        <message>
+            <source>The core is silent, in line %1 of its program</source>
+            <translation>内核无响应，在其程序的第 %1 行</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
@@ -5144,6 +5236,10 @@ N、Shift+N  下一条、上一条记录
             <translation>一个脉冲、其间隔和写端口共需 %1 us，超过一个 %2 us 的节拍；请加长 tick.period_us，缩短 port.step_high_ns 或 port.step_low_ns，或设 port.pulses = "over-ticks"</translation>
         </message>
         <message>
+            <source>a record was refused</source>
+            <translation>有记录被拒绝</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>正在重放已记录的运行</translation>
         </message>
@@ -5896,6 +5992,14 @@ N、Shift+N  下一条、上一条记录
             <translation>其轮廓不围成面积；没有可雕刻的内容</translation>
         </message>
         <message>
+            <source>its reader is gone</source>
+            <translation>读取进程已消失</translation>
+        </message>
+        <message>
+            <source>its reader was gone</source>
+            <translation>读取程序的进程当时已消失</translation>
+        </message>
+        <message>
             <source>job</source>
             <translation>作业</translation>
         </message>
@@ -6484,6 +6588,10 @@ N、Shift+N  下一条、上一条记录
             <translation>已取消打开</translation>
         </message>
         <message>
+            <source>optional stop (M1)</source>
+            <translation>选择停止（M1）</translation>
+        </message>
+        <message>
             <source>ordinary scheduling</source>
             <translation>普通调度</translation>
         </message>
@@ -6618,6 +6726,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ 在一层内的行程超出任何机床</translation>
+        </message>
+        <message>
+            <source>psicarve gcode run FILE --from-line %1</source>
+            <translation>psicarve gcode run FILE --from-line %1</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -6780,6 +6892,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无响应</translation>
         </message>
         <message>
+            <source>single block</source>
+            <translation>单段</translation>
+        </message>
+        <message>
             <source>single or two-timer</source>
             <translation>single 或 two-timer</translation>
         </message>
@@ -6850,6 +6966,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>still tripped: %1; release it or back off</source>
             <translation>仍处于触发状态：%1；请松开或退离开关</translation>
+        </message>
+        <message>
+            <source>stop (M0)</source>
+            <translation>停止（M0）</translation>
         </message>
         <message>
             <source>stopped</source>
@@ -7332,6 +7452,10 @@ N、Shift+N  下一条、上一条记录
             <translation>同时命令过多；请等待其他命令</translation>
         </message>
         <message>
+            <source>tool change (M6)</source>
+            <translation>换刀（M6）</translation>
+        </message>
+        <message>
             <source>true or false</source>
             <translation>true 或 false</translation>
         </message>
@@ -7390,6 +7514,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>waiting</source>
             <translation>等待中</translation>
+        </message>
+        <message>
+            <source>waits for more of it</source>
+            <translation>等待后续内容</translation>
         </message>
         <message>
             <source>warning</source>

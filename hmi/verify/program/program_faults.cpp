@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of ProgramRule that judges and tells.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,10 @@ namespace {
 /// A path that passes a place at rest by less than this was to reach it.
 constexpr std::int64_t kNearPulses = 64;
 constexpr std::int64_t kSlackTicks = 2;
+/// Ways are judged by their time when they are so many tolerances long, or end at rest.
+constexpr double kTolerancesAStretch = 20.0;
+/// Less than that is a matter of whole pulses in whole ticks.
+constexpr double kHardlyLowered = 0.98;
 
 }  // namespace
 
@@ -22,12 +27,35 @@ void ProgramRule::report(std::int64_t time_ns, Offence offence, std::uint64_t li
     log_.describe(std::move(offence), place);
 }
 
-/// Half a pulse is missing at each end, and ticks are whole.
-void ProgramRule::judge_time(const Live& way) {
+/// Way after way, in their order.
+void ProgramRule::note_time(const Live& way) {
+    Stretch& all = stretch_;
+    if (all.ways++ == 0) {
+        all.begun_ns = way.begun_ns.value_or(way.ended_ns);
+        all.first_line = way.demand.line;
+    }
     const double wanted_s = way.demand.seconds / program_.override_ratio;
-    const double slack_s =
-        2.0 * wanted_s / way.demand.way.most_pulses() + seconds_from_ns(kSlackTicks * tick_ns_);
-    const double taken_s = seconds_from_ns(way.ended_ns - way.begun_ns);
+    const double length_mm = way.demand.way.length_mm();
+    all.asked_s += way.demand.seconds;
+    all.length_mm += length_mm;
+    all.tolerance_mm = std::max(all.tolerance_mm, way.demand.tolerance_mm);
+    if (length_mm > 0.0) all.slowest_s_per_mm = std::max(all.slowest_s_per_mm, wanted_s / length_mm);
+    all.pulse_s = std::max(all.pulse_s, wanted_s / way.demand.way.most_pulses());
+    if (!way.demand.is_exact && all.length_mm < kTolerancesAStretch * all.tolerance_mm) return;
+    judge_time(way);
+    all = {};
+    all.is_from_rest = way.demand.is_exact;
+}
+
+/// Half a pulse is missing at each end, ticks are whole, and where the path does not rest, it passes an end
+/// somewhere within the tolerance.
+void ProgramRule::judge_time(const Live& way) {
+    const int passed_ends = (stretch_.is_from_rest ? 0 : 1) + (way.demand.is_exact ? 0 : 1);
+    const double wanted_s = stretch_.asked_s / program_.override_ratio;
+    const double slack_s = 2.0 * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
+                           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm;
+    const double taken_s = seconds_from_ns(way.ended_ns - stretch_.begun_ns);
+    if (wanted_s > 0.0) note_lowered(way, taken_s - slack_s);
     if (taken_s >= wanted_s - slack_s || !log_.count(1, way.ended_ns)) return;
     Offence offence;
     offence.fault = "feed";
@@ -35,8 +63,23 @@ void ProgramRule::judge_time(const Live& way) {
     offence.allowed = wanted_s;
     offence.bound = Bound::at_least;
     offence.unit = "s";
-    offence.sentence = "a way took less time than its feed asks for";
+    offence.sentence = stretch_.ways == 1 ? "a way took less time than its feed asks for"
+                                          : std::to_string(stretch_.ways) +
+                                                " ways took less time than their feeds ask for, the last";
     report(way.ended_ns, std::move(offence), way.demand.line);
+}
+
+void ProgramRule::note_lowered(const Live& way, double taken_s) {
+    if (stretch_.asked_s >= kHardlyLowered * taken_s) return;
+    lowered_s_ += taken_s - stretch_.asked_s;
+    const LoweredFeed now{stretch_.first_line, way.demand.line, stretch_.asked_s, taken_s};
+    const auto worse = [](const LoweredFeed& one, const LoweredFeed& other) {
+        return one.share() > other.share();
+    };
+    const auto at = std::upper_bound(lowered_.begin(), lowered_.end(), now, worse);
+    if (at == lowered_.end() && lowered_.size() == kMostLowered) return;
+    lowered_.insert(at, now);
+    if (lowered_.size() > kMostLowered) lowered_.pop_back();
 }
 
 void ProgramRule::judge_rest(const Live& way, std::int64_t time_ns) {
@@ -143,7 +186,7 @@ void ProgramRule::finish(std::int64_t time_ns) {
     const bool is_done = phase_ == Phase::running && window_.back().is_at_end && window_.back().is_on &&
                          live(window_.size()) == nullptr;
     if (is_done) {
-        for (const Live& way : window_) judge_time(way);
+        for (const Live& way : window_) note_time(way);
         ways_done_ += window_.size();
         last_ns_ = window_.back().ended_ns;
     }

@@ -36,6 +36,10 @@ void ProgramRule::start(const Positions& positions) {
     place_ = {};
     phase_ = Phase::waiting;
     ways_done_ = 0;
+    stretch_ = {};
+    lowered_.clear();
+    lowered_s_ = 0.0;
+    bounds_ = {positions, positions};
     most_off_mm_ = 0.0;
 }
 
@@ -52,7 +56,7 @@ ProgramRule::Live* ProgramRule::live(std::size_t n) {
     while (window_.size() <= n) {
         auto next = ways_->next();
         if (!next) return nullptr;
-        window_.push_back({.demand = std::move(*next)});
+        window_.emplace_back(std::move(*next));
     }
     return &window_[n];
 }
@@ -75,6 +79,10 @@ void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool 
     }
     if (phase_ == Phase::lost) find_again(time_ns, positions);
     if (phase_ != Phase::running) return;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        bounds_.least_pulses[k] = std::min(bounds_.least_pulses[k], positions[k]);
+        bounds_.most_pulses[k] = std::max(bounds_.most_pulses[k], positions[k]);
+    }
     follow(time_ns, positions);
     if (phase_ == Phase::running) judge_spindle(time_ns, spindle_on);
 }
@@ -93,7 +101,7 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at) {
         if (way == nullptr) break;
         const bool comes = is_before_at_end;
         if (comes && !way->is_on) {
-            way->begun_ns = time_ns;
+            if (!way->begun_ns) way->begun_ns = time_ns;
             way->share = {};
         }
         way->is_on = (way->is_on || comes) && stays_on(*way, at);
@@ -170,7 +178,7 @@ bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at
 /// Ways that the path can no longer be on are done.
 void ProgramRule::leave_behind() {
     while (!window_.front().is_on) {
-        judge_time(window_.front());
+        note_time(window_.front());
         ++ways_done_;
         window_.pop_front();
     }
@@ -189,6 +197,7 @@ void ProgramRule::find_again(std::int64_t time_ns, const Positions& at) {
         way->begun_ns = time_ns;
         // Nobody knows when it began.
         way->demand.seconds = 0.0;
+        stretch_ = {};
         window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(n));
         phase_ = Phase::running;
         return;

@@ -6,6 +6,8 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "hmi/verify/offence_log.hpp"
 #include "hmi/verify/pin_rules.hpp"
@@ -14,6 +16,25 @@
 #include "shared/profile/profile.hpp"
 
 namespace psicarve::verify {
+
+/// Ways of a program that took longer than their feeds ask for: limits of the axes, or acceleration.
+struct LoweredFeed {
+    std::uint64_t first_line = 0;
+    std::uint64_t last_line = 0;
+    double asked_s = 0.0;
+    double taken_s = 0.0;
+
+    /// By how much the feed was lowered.
+    double share() const noexcept { return 1.0 - asked_s / taken_s; }
+};
+/// No more are kept: those that were lowered most.
+inline constexpr std::size_t kMostLowered = 20;
+
+/// Where the axes were during a program.
+struct ProgramBounds {
+    Positions least_pulses{};
+    Positions most_pulses{};
+};
 
 /// Rule 1 of a program: all its ways are gone along, in order, none of their ends is left out, at no place is
 /// the path further off than their tolerance and 1.5 pulses of an axis, and no way takes less time than its
@@ -44,23 +65,43 @@ public:
     double most_off_mm() const noexcept { return most_off_mm_; }
     /// From leaving the program's begin to its end.
     double run_seconds() const noexcept { return seconds_from_ns(last_ns_ - left_ns_); }
+    /// The worst first.
+    const std::vector<LoweredFeed>& lowered() const noexcept { return lowered_; }
+    /// How long ways with a feed took longer than they ask for, all together.
+    double lowered_seconds() const noexcept { return lowered_s_; }
+    const ProgramBounds& bounds() const noexcept { return bounds_; }
     /// Why the program could not be read.
     std::optional<Error> failure() const { return ways_ ? ways_->failure() : std::nullopt; }
 
 private:
     /// A way that the path may be on, or may come to.
     struct Live {
+        explicit Live(WayDemand what) : demand(std::move(what)) {}
+
         WayDemand demand;
         bool is_on = false;
-        bool is_waiting = false;  ///< at rest at its begin: it begins with the next pulse
-        bool is_at_end = false;   ///< to the pulse, where it ends at rest
-        std::int64_t begun_ns = 0;
-        std::int64_t ended_ns = 0;  ///< when its end was last passed, or first reached at rest
+        bool is_waiting = false;               ///< at rest at its begin: it begins with the next pulse
+        bool is_at_end = false;                ///< to the pulse, where it ends at rest
+        std::optional<std::int64_t> begun_ns;  ///< at the earliest
+        std::int64_t ended_ns = 0;             ///< when its end was last passed, or first reached at rest
         std::array<double, kHeadCount> share{};
         /// To an end at rest, where the path came nearest to it.
         std::int64_t nearest_pulses = INT64_MAX;  ///< by the axis that was off most
         int nearest_axes = 0;                     ///< how many were off
         Axis nearest_axis = Axis::r1;
+    };
+
+    /// Ways that are judged together by their time, for a passage is known to a tolerance.
+    struct Stretch {
+        std::uint64_t ways = 0;
+        std::uint64_t first_line = 0;
+        std::int64_t begun_ns = 0;
+        double asked_s = 0.0;
+        double length_mm = 0.0;
+        double tolerance_mm = 0.0;
+        double slowest_s_per_mm = 0.0;
+        double pulse_s = 0.0;  ///< the longest that one takes at the feed
+        bool is_from_rest = true;
     };
 
     void start(const Positions& positions);
@@ -72,7 +113,9 @@ private:
     bool has_come(const Live& way) const noexcept;
     bool has_missed(const Live& way) const noexcept;
     void leave_behind();
-    void judge_time(const Live& way);
+    void note_time(const Live& way);
+    void judge_time(const Live& last);
+    void note_lowered(const Live& last, double taken_s);
     void judge_rest(const Live& way, std::int64_t time_ns);
     void judge_spindle(std::int64_t time_ns, bool spindle_on);
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
@@ -88,6 +131,7 @@ private:
     OffenceLog& log_;
     std::unique_ptr<WayReader> ways_;
     std::deque<Live> window_;  ///< from the first one that the path may be on
+    Stretch stretch_;
     CarvePlace place_;
     std::int64_t tick_ns_ = 0;
     Positions start_{};
@@ -98,6 +142,9 @@ private:
     std::int64_t last_ns_ = 0;
     std::uint64_t ways_done_ = 0;
     double most_off_mm_ = 0.0;
+    std::vector<LoweredFeed> lowered_;
+    double lowered_s_ = 0.0;
+    ProgramBounds bounds_;
 };
 
 }  // namespace psicarve::verify

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/verify/program/program_verifier.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -45,9 +47,36 @@ ProgramVerifyReport ProgramVerifier::finish() {
     report.run_seconds = s.path.run_seconds();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();
+    report.lowered = s.path.lowered();
+    report.lowered_seconds = s.path.lowered_seconds();
+    report.bounds = s.path.bounds();
     report.failure = s.path.failure();
     report.ok = first_offence_of(report.rules) == nullptr && !report.failure;
     return report;
+}
+
+nlohmann::ordered_json lowered_json(const std::vector<LoweredFeed>& lowered) {
+    auto list = nlohmann::ordered_json::array();
+    for (const LoweredFeed& feed : lowered)
+        list.push_back({{"first_line", feed.first_line},
+                        {"last_line", feed.last_line},
+                        {"share", feed.share()},
+                        {"asked_seconds", feed.asked_s},
+                        {"taken_seconds", feed.taken_s}});
+    return list;
+}
+
+std::string lowered_text(const std::vector<LoweredFeed>& lowered, std::size_t most) {
+    std::string text;
+    for (std::size_t n = 0; n < std::min(most, lowered.size()); ++n) {
+        const LoweredFeed& feed = lowered[n];
+        text += (text.empty() ? "" : ", ") +
+                std::string{feed.first_line == feed.last_line ? "line " : "lines "} +
+                std::to_string(feed.first_line);
+        if (feed.last_line != feed.first_line) text += " to " + std::to_string(feed.last_line);
+        text += " by " + std::to_string(std::llround(100.0 * feed.share())) + " %";
+    }
+    return text;
 }
 
 nlohmann::ordered_json program_report_json(const ProgramVerifyReport& report) {
@@ -59,6 +88,8 @@ nlohmann::ordered_json program_report_json(const ProgramVerifyReport& report) {
     json["ways_done"] = report.ways_done;
     json["max_line_deviation_mm"] = report.most_off_mm;
     json["run_seconds"] = report.run_seconds;
+    json["lowered_seconds"] = report.lowered_seconds;
+    json["lowered"] = lowered_json(report.lowered);
     json["trace_seconds"] = report.trace_seconds;
     json["events"] = report.events;
     return json;
@@ -70,6 +101,7 @@ std::string program_report_text(const ProgramVerifyReport& report) {
     text += offences_text(report.rules);
     text += "  " + std::to_string(report.ways_done) + " ways, off by " + shown_number(report.most_off_mm) +
             " mm and 1.5 pulses of an axis at most\n";
+    if (!report.lowered.empty()) text += "  feed lowered most in " + lowered_text(report.lowered, 3) + "\n";
     text += "  run in " + shown_number(report.run_seconds) + " s; pulses";
     for (const Axis axis : kAllAxes)
         text += " " + shown_name(axis) + " " + std::to_string(report.pulses[index_of(axis)]);

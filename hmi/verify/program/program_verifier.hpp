@@ -8,8 +8,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hmi/trace/trace_reader.hpp"
+#include "hmi/verify/program/program_rule.hpp"
 #include "hmi/verify/program/way_reader.hpp"
 #include "hmi/verify/verify_report.hpp"
 #include "shared/profile/profile.hpp"
@@ -25,11 +27,18 @@ struct ProgramVerifyReport {
     double run_seconds = 0.0;  ///< from leaving the program's begin to its end
     double trace_seconds = 0.0;
     std::uint64_t events = 0;
+    std::vector<LoweredFeed> lowered;  ///< the worst first
+    double lowered_seconds = 0.0;      ///< longer than the feeds ask for
+    ProgramBounds bounds;
     std::optional<Error> failure;  ///< the program could not be read: nothing is verified
 };
 
 /// One JSON object, as `psicarve verify --json` prints it.
 nlohmann::ordered_json program_report_json(const ProgramVerifyReport& report);
+/// [{"first_line", "last_line", "share", "asked_seconds", "taken_seconds"}], the worst first.
+nlohmann::ordered_json lowered_json(const std::vector<LoweredFeed>& lowered);
+/// "line 12 by 40 %, lines 20 to 24 by 12 %"; at most `most` of them; empty: none.
+std::string lowered_text(const std::vector<LoweredFeed>& lowered, std::size_t most);
 /// A few lines for a person.
 std::string program_report_text(const ProgramVerifyReport& report);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -58,6 +59,8 @@ public:
     const Positions& end_pulses() const noexcept { return end_pulses_; }
     /// The most pulses that an axis has on it, about.
     double most_pulses() const noexcept { return most_pulses_; }
+    /// Of the head that goes further.
+    double length_mm() const noexcept { return std::max(heads_[0].length_mm, heads_[1].length_mm); }
 
     struct Nearest {
         double share;  ///< of the way, 0 to 1

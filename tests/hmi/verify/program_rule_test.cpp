@@ -182,6 +182,17 @@ TEST(ProgramRule, WantsNoWayFasterThanItsFeed) {
     }
 }
 
+// Ways within one tolerance, whose ends nobody can time: together they take as long as they ask for.
+TEST(ProgramRule, TimesShortWaysTogether) {
+    for (const auto& [feed, expected] : {std::pair{"F62", "ok"}, {"F45", "feed"}}) {
+        std::string program = "G21 G90 G94 G64 P0.05 " + std::string{feed} + "\nG1 X39.99\n";
+        for (int n = 2; n <= 300; ++n) program += "X" + std::to_string(40.0 - 0.01 * n) + "\n";
+        PlacedMachine machine;
+        machine.to({37, 41, 0, 0});
+        EXPECT_EQ(verdict(judged(program + "M2\n", machine)).substr(0, 4), expected) << feed;
+    }
+}
+
 TEST(ProgramRule, WantsTheRestsAndTheSpindle) {
     const std::string program = "G21 G90 G94 F300\nM3\nG1 X39\nG4 P0.5\nG1 X38\nM5\nG1 X39\nM2\n";
     const auto verdict_of = [&](double rest_s, bool is_on) {

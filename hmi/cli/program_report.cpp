@@ -37,7 +37,8 @@ void print_text(const std::string& name, const ProgramRun& run, const PinsVerdic
                 static_cast<unsigned long long>(run.program.line), clock_text(run.seconds).c_str());
     if (const auto& seen = pins.verification) {
         if (!seen->lowered.empty())
-            std::printf("feed       lowered most in %s\n",
+            std::printf("feed       lowered feeds cost %s, most in %s\n",
+                        clock_text(seen->lowered_seconds).c_str(),
                         verify::lowered_text(seen->lowered, kShownLowered).c_str());
         const verify::Offence* const first = verify::first_offence_of(seen->rules);
         std::printf("verified   %s\n", first == nullptr

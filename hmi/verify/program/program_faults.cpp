@@ -74,7 +74,7 @@ void ProgramRule::note_lowered(const Live& way, double taken_s) {
     lowered_s_ += taken_s - stretch_.asked_s;
     const LoweredFeed now{stretch_.first_line, way.demand.line, stretch_.asked_s, taken_s};
     const auto worse = [](const LoweredFeed& one, const LoweredFeed& other) {
-        return one.share() > other.share();
+        return one.lost_s() > other.lost_s();
     };
     const auto at = std::upper_bound(lowered_.begin(), lowered_.end(), now, worse);
     if (at == lowered_.end() && lowered_.size() == kMostLowered) return;

@@ -24,10 +24,11 @@ struct LoweredFeed {
     double asked_s = 0.0;
     double taken_s = 0.0;
 
+    double lost_s() const noexcept { return taken_s - asked_s; }
     /// By how much the feed was lowered.
     double share() const noexcept { return 1.0 - asked_s / taken_s; }
 };
-/// No more are kept: those that were lowered most.
+/// No more are kept: those that cost most time.
 inline constexpr std::size_t kMostLowered = 20;
 
 /// Where the axes were during a program.

@@ -101,7 +101,9 @@ std::string program_report_text(const ProgramVerifyReport& report) {
     text += offences_text(report.rules);
     text += "  " + std::to_string(report.ways_done) + " ways, off by " + shown_number(report.most_off_mm) +
             " mm and 1.5 pulses of an axis at most\n";
-    if (!report.lowered.empty()) text += "  feed lowered most in " + lowered_text(report.lowered, 3) + "\n";
+    if (!report.lowered.empty())
+        text += "  lowered feeds cost " + shown_number(report.lowered_seconds) + " s, most in " +
+                lowered_text(report.lowered, 3) + "\n";
     text += "  run in " + shown_number(report.run_seconds) + " s; pulses";
     for (const Axis axis : kAllAxes)
         text += " " + shown_name(axis) + " " + std::to_string(report.pulses[index_of(axis)]);

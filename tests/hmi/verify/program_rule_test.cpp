@@ -193,6 +193,21 @@ TEST(ProgramRule, TimesShortWaysTogether) {
     }
 }
 
+TEST(ProgramRule, TellsWhereFeedsWereLowered) {
+    // The pins go 60 mm a minute.
+    PlacedMachine machine;
+    machine.to({39, 41, 0, 0}).to({38, 41, 0, 0}).to({36, 41, 0, 0});
+    const auto report = judged("G21 G90 G94 G61 F61\nG1 X39\nG1 X38 F600\nG1 X36 F300\nM2\n", machine);
+    EXPECT_EQ(verdict(report), "ok");
+    ASSERT_EQ(report.lowered.size(), 2U);
+    EXPECT_EQ(report.lowered[0].first_line, 4U);  // costs more time
+    EXPECT_NEAR(report.lowered[0].share(), 0.8, 0.01);
+    EXPECT_EQ(report.lowered[1].last_line, 3U);
+    EXPECT_NEAR(report.lowered[1].share(), 0.9, 0.01);
+    EXPECT_NEAR(report.lowered_seconds, 2.5, 0.05);
+    EXPECT_EQ(report.bounds.least_pulses[0], 36 * 400);
+}
+
 TEST(ProgramRule, WantsTheRestsAndTheSpindle) {
     const std::string program = "G21 G90 G94 F300\nM3\nG1 X39\nG4 P0.5\nG1 X38\nM5\nG1 X39\nM2\n";
     const auto verdict_of = [&](double rest_s, bool is_on) {

@@ -56,7 +56,7 @@ ProgramRule::Live* ProgramRule::live(std::size_t n) {
     while (window_.size() <= n) {
         auto next = ways_->next();
         if (!next) return nullptr;
-        window_.emplace_back(std::move(*next));
+        window_.emplace_back(*next);
     }
     return &window_[n];
 }

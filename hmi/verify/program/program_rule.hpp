@@ -6,7 +6,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "hmi/verify/offence_log.hpp"
@@ -77,7 +76,7 @@ public:
 private:
     /// A way that the path may be on, or may come to.
     struct Live {
-        explicit Live(WayDemand what) : demand(std::move(what)) {}
+        explicit Live(const WayDemand& what) : demand(what) {}
 
         WayDemand demand;
         bool is_on = false;

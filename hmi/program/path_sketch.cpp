@@ -17,6 +17,7 @@ constexpr double kMmPerDeg = 0.5;  // at the radius of a hand's breadth
 constexpr double kChord_mm = 0.05;
 constexpr std::uint64_t kMostChords = 4096;  // of one arc, however many turns it has
 constexpr double kFirstTolerance_mm = 0.001;
+constexpr double kSamePlace_mm = 1e-6;
 constexpr int kMostDoublings = 100;
 
 double distance_mm(const SketchPoint& a, const SketchPoint& b) noexcept {
@@ -49,10 +50,7 @@ void PathSketch::take(const CanonRecord& record) {
     if (record.kind != CanonKind::rapid && record.kind != CanonKind::feed && !is_arc) return;
     const std::uint8_t placed = placed_of(record.placed & record.start_placed);
     SketchPoint point{{}, record.line, record.line, placed, record.kind == CanonKind::rapid};
-    if (points_.empty()) {
-        point.place = place_of(record.start);
-        points_.push_back(point);
-    }
+    begin_at(place_of(record.start), record.line);
     if (is_arc) {
         const gcode::ArcChords chords{record, kChord_mm};
         const std::uint64_t step = chords.count() / kMostChords + 1;
@@ -63,6 +61,13 @@ void PathSketch::take(const CanonRecord& record) {
     }
     point.place = place_of(record.end);
     add(point);
+}
+
+/// What a wrong block was to do is not known: behind it the path begins anew.
+void PathSketch::begin_at(const std::array<double, kAxisCount>& place, std::uint64_t line) {
+    const SketchPoint begin{place, line, line, 0, true};
+    if (points_.empty()) return points_.push_back(begin);
+    if (distance_mm(points_.back(), begin) > kSamePlace_mm) add(begin);
 }
 
 void PathSketch::add(const SketchPoint& point) {

@@ -39,6 +39,7 @@ public:
 private:
     std::array<double, kAxisCount> place_of(const gcode::Position& position) const noexcept;
     std::uint8_t placed_of(gcode::AxisMask placed) const noexcept;
+    void begin_at(const std::array<double, kAxisCount>& place, std::uint64_t line);
     void add(const SketchPoint& point);
     void put(const SketchPoint& point);
     void thin();

@@ -26,6 +26,7 @@ void ProgramDesk::open(const std::string& path, const session::MachineView& mach
         text_.show(nullptr);
         ended_.reset();
         switches = {};
+        asks_for_start = false;
     }
     begin_decode(machine, profile);
 }
@@ -44,7 +45,10 @@ void ProgramDesk::cancel() {
     decoder_.cancel();
 }
 
-void ProgramDesk::poll() {
+void ProgramDesk::poll(const ProgramReport& report) {
+    // Whoever has the claim has the one program that runs.
+    const bool is_own = process_.pid() != 0 && report.writer_pid == process_.pid();
+    if (is_own && report.status.is_running != 0) own_program_ = report.status.program;
     if (auto read = decoder_.take()) {
         ++edition_;
         if (*read) {
@@ -58,7 +62,7 @@ void ProgramDesk::poll() {
                      session::joined(phrase("Not opened: %1", name_of_file(path_)), problem_));
         }
     }
-    if (text_.poll()) ++edition_;
+    if (text_.poll()) ++text_edition_;
     if (auto ended = process_.poll()) {
         ended_ = std::move(*ended);
         ++edition_;
@@ -74,6 +78,13 @@ void ProgramDesk::tell_end() {
     log_.add_command(Severity::warning, session::joined(phrase("Program ended"), said));
 }
 
+void ProgramDesk::forget_last_run() {
+    ended_.reset();
+    own_program_ = 0;
+    asks_for_start = false;
+    ++edition_;
+}
+
 RunRequest ProgramDesk::request() const {
     RunRequest request;
     request.segment_name = segment_name_;
@@ -85,9 +96,8 @@ void ProgramDesk::start(const session::MachineView& machine) {
     RunRequest wanted = request();
     wanted.file = std::filesystem::absolute(path_).string();
     wanted.switches = switches;
-    ended_.reset();
+    forget_last_run();
     is_block_ = false;
-    ++edition_;
     log_.add_command(Severity::info, phrase("Program started: %1", name_of_file(path_)));
     process_.begin(std::move(wanted), *machine.profile);
 }
@@ -95,9 +105,8 @@ void ProgramDesk::start(const session::MachineView& machine) {
 void ProgramDesk::run_block(const std::string& block, const session::MachineView& machine) {
     if (blocks_.empty() || blocks_.back() != block) blocks_.push_back(block);
     if (blocks_.size() > kMostBlocks) blocks_.pop_front();
-    ended_.reset();
+    forget_last_run();
     is_block_ = true;
-    ++edition_;
     log_.add_command(Severity::info, phrase("Block asked for: %1", block));
     DecodeRequest judged;
     judged.profile = *machine.profile;

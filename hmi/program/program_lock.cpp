@@ -2,6 +2,7 @@
 #include "hmi/program/program_lock.hpp"
 
 #include <string>
+#include <utility>
 
 #include "hmi/phrase/axis_letter.hpp"
 
@@ -77,23 +78,19 @@ std::optional<Phrase> start_lock(const StartGround& ground, const Decoded* progr
 }
 
 std::optional<Phrase> hold_phrase(ProgramHold hold) {
-    switch (hold) {
-        case ProgramHold::none:
-            return std::nullopt;
-        case ProgramHold::program:
-            return phrase("a stop of the program (M0); Resume goes on");
-        case ProgramHold::optional:
-            return phrase("an optional stop (M1); Resume goes on");
-        case ProgramHold::tool_change:
-            return phrase("a tool change (M6); Resume goes on");
-        case ProgramHold::single:
-            return phrase("single block: this one is done; Resume runs the next");
-        case ProgramHold::starved:
-            return phrase("its next lines have not come; it goes on when they do");
-        case ProgramHold::feeder_lost:
-            return phrase("the process that feeds it is gone: only Stop is left");
+    if (hold == ProgramHold::none) return std::nullopt;
+    const std::pair<ProgramHold, Phrase> known[] = {
+        {ProgramHold::program, phrase("a stop of the program (M0); Resume goes on")},
+        {ProgramHold::optional, phrase("an optional stop (M1); Resume goes on")},
+        {ProgramHold::tool_change, phrase("a tool change (M6); Resume goes on")},
+        {ProgramHold::single, phrase("single block: this one is done; Resume runs the next")},
+        {ProgramHold::starved, phrase("its next lines have not come; it goes on when they do")},
+        {ProgramHold::feeder_lost, phrase("the process that feeds it is gone: only Stop is left")},
+    };
+    for (const auto& [which, words] : known) {
+        if (which == hold) return words;
     }
-    return phrase("held");
+    return phrase("%1", std::string{name_of(hold)});
 }
 
 Phrase place_phrase(const ProgramStatus& status, MachineState state) {

@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/program/run_request.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 namespace psicarve::program {
+
+bool is_program_file(const std::string& path) {
+    std::string ending = std::filesystem::path{path}.extension().string();
+    for (char& letter : ending) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    constexpr const char* kEndings[] = {".ngc", ".nc", ".gcode", ".tap", ".cnc"};
+    return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
+}
 
 std::vector<std::string> arguments_of(const std::string& psicarve, const RunRequest& request) {
     std::vector<std::string> arguments{psicarve,     "gcode",     "run",

@@ -16,6 +16,9 @@ struct RunSwitches {
     std::uint32_t from_line = 1;
 };
 
+/// By its name: *.ngc, *.nc, *.gcode, *.tap, *.cnc.
+bool is_program_file(const std::string& path);
+
 /// A program, and the machine that is to run it.
 struct RunRequest {
     std::string file;  ///< an absolute path

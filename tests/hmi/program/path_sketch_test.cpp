@@ -121,6 +121,16 @@ TEST_F(Sketched, DrawsAnArcThroughItsPointsAndAnEndlessOneInAFewThousand) {
     EXPECT_LE(sut.points().size(), before + 8192);
 }
 
+TEST_F(Sketched, DrawsNoWayToWhereItBeginsAnewBehindAWrongBlock) {
+    sut.take(move(CanonKind::rapid, 20.0, 0.0, 0.0));
+    at_[1] = 9.0;
+    sut.take(move(CanonKind::feed, 25.0, 9.0, 0.0));
+    ASSERT_EQ(sut.points().size(), 4U);
+    EXPECT_EQ(sut.points()[2].place[index_of(Axis::y)], 9.0);
+    EXPECT_EQ(sut.points()[2].placed, 0U);
+    EXPECT_EQ(last().placed, 0xFU);
+}
+
 TEST_F(Sketched, KnowsWhichPlacesTheProgramHasSet) {
     CanonRecord record = move(CanonKind::rapid, 5.0, 0.0, 0.0);
     record.placed = gcode::mask_of(0);

@@ -152,9 +152,10 @@ void ProgramPathView::draw_piece(QPainter& painter, std::size_t piece) const {
     const double least_deg = std::min(begin_deg, begin_deg + sweep_deg);
     const double most_deg = std::max(begin_deg, begin_deg + sweep_deg);
     const double first = std::floor(least_deg / kPathTurn_deg);
-    const double last =
-        std::min(std::max(std::ceil(most_deg / kPathTurn_deg), first + 1.0), first + kMostTurnsDrawn);
-    for (double turn = first; turn < last; turn += 1.0) {
+    const double last = std::max(std::ceil(most_deg / kPathTurn_deg), first + 1.0);
+    const int turns = static_cast<int>(std::min(last - first, kMostTurnsDrawn));
+    for (int i = 0; i < turns; ++i) {
+        const double turn = first + i;
         const double low_deg = std::max(least_deg, turn * kPathTurn_deg);
         const double high_deg = std::min(most_deg, (turn + 1.0) * kPathTurn_deg);
         const auto y_at = [&](double angle_deg) {

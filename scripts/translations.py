@@ -66,7 +66,7 @@ def texts_in(path):
 def source_texts():
     """All texts, each once, in the order of the alphabet."""
     texts = set()
-    for folder in ("phrase", "profile", "replay", "scene", "session", "ui"):
+    for folder in ("phrase", "profile", "program", "replay", "scene", "session", "ui"):
         for path in sorted((ROOT / "hmi" / folder).rglob("*.[ch]pp")):
             texts.update(texts_in(path))
     table = without_comments((ROOT / "shared" / "profile" / "profile_table.cpp").read_text(encoding="utf-8"))

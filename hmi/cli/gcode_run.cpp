@@ -19,11 +19,16 @@
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/operator_break.hpp"
+#include "hmi/cli/program_core.hpp"
+#include "hmi/cli/program_report.hpp"
+#include "hmi/cli/program_verify.hpp"
 #include "hmi/cli/program_watch.hpp"
 #include "hmi/cli/record_feeder.hpp"
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
+#include "hmi/machine/recorded_pins.hpp"
+#include "hmi/verify/judged_trace.hpp"
 #include "shared/machine/message_argument.hpp"
 #include "shared/wording/wording.hpp"
 
@@ -32,17 +37,21 @@ namespace {
 
 constexpr CommandText kGcodeRunText{
     "run", "Runs a program in G-code on the machine",
+    "Uses the core that serves the segment, whose axes must be homed. When none does, starts one on the\n"
+    "simulated machine with the virtual clock, homes it, verifies its pins while it runs, and ends it.\n"
     "A file is checked to its end before anything moves; standard input is run as it comes, from rest to "
     "rest.\n"
-    "Every axis must be homed. Ctrl-C stops the machine; twice is an emergency stop. This command feeds the\n"
+    "Ctrl-C stops the machine; twice is an emergency stop. This command feeds the\n"
     "program to the core: where it is killed, what the core has is run, and the machine comes to rest and "
     "holds.",
-    "psicarve gcode run pocket.ngc\n  psicarve gcode run pocket.ngc --from-line 120 --optional-stop"};
+    "psicarve gcode run pocket.ngc\n  psicarve gcode run pocket.ngc --from-line 120 --optional-stop\n"
+    "  psicarve gcode run pocket.ngc --trace pins.vcd --json"};
 
 constexpr std::chrono::milliseconds kNumberLimit{5000};
 constexpr std::chrono::milliseconds kFirstRecordsLook{2};
 constexpr int kInputLook_ms = 100;
 constexpr const char* kStandardInput = "/dev/stdin";
+constexpr std::uint32_t kNoOverride_percent = 100;
 constexpr std::uint32_t kMostLine = 4'000'000'000U;
 
 struct GcodeRunOptions {
@@ -53,6 +62,7 @@ struct GcodeRunOptions {
     bool stops_at_optional = false;
     bool skips_deleted = false;
     bool is_dry = false;
+    std::string trace;
 
     bool is_stream() const { return path == "-"; }
 };
@@ -176,25 +186,10 @@ std::optional<Error> failure_of(const RecordFeeder& feeder, const Segment& segme
     return feeder.failure();
 }
 
-void report_run(const CommonOptions& common, const std::string& name, const ProgramRun& run) {
-    if (common.json) {
-        return print_json_line({{"file", name},
-                                {"ok", true},
-                                {"line", run.program.line},
-                                {"seconds", run.seconds},
-                                {"starvations", run.program.starvations}});
-    }
-    std::printf("%s: done, up to line %llu, %s of machine time\n", name.c_str(),
-                static_cast<unsigned long long>(run.program.line), clock_text(run.seconds).c_str());
-    if (run.program.starvations > 0)
-        print_warning("the machine had to wait for the program " +
-                      count_text(run.program.starvations, "time"));
-}
-
 /// The program is written and the machine rests again: the report, and the exit code.
 Result<int> report_end(const CommonOptions& common, const GcodeRunOptions& options,
                        const RecordFeeder& feeder, const std::optional<Error>& failure,
-                       const std::optional<ProgramRun>& run) {
+                       const std::optional<ProgramRun>& run, const PinsJudge& judge) {
     const std::string name = program_name(options.path);
     // A file's warnings were told when it was checked.
     if (options.is_stream() || feeder.problems().error_count() > 0) print_problems(name, feeder.problems());
@@ -203,12 +198,13 @@ Result<int> report_end(const CommonOptions& common, const GcodeRunOptions& optio
         if (common.json) print_json_line(check_json(name, feeder.facts(), feeder.problems()));
         return kExitBadInput;
     }
-    report_run(common, name, *run);
-    return kExitDone;
+    const auto pins = judge();
+    if (!pins) return pins.error();
+    return report_program_run(common, name, *run, *pins);
 }
 
 Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, const GcodeRunOptions& options,
-                     const Profile& profile, OperatorBreak& operator_break) {
+                     const Profile& profile, OperatorBreak& operator_break, const PinsJudge& judge) {
     const auto status = link.status();
     if (!status) return status.error();
     if (const auto ready = require_ready(*status); !ready) return ready.error();
@@ -216,7 +212,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (const auto alike = require_heads_alike(profile, *status); !alike) return alike.error();
     const gcode::InterpreterOptions how = language_of(options, profile, *status);
     std::uint64_t line_count = 0;
-    auto bytes = Result<gcode::ByteSource>{Error{ErrorCode::bad_input, {}}};
+    auto bytes = Result<gcode::ProgramBytes>{Error{ErrorCode::bad_input, {}}};
     if (options.is_stream()) {
         bytes = gcode::open_program(kStandardInput);
     } else {
@@ -240,7 +236,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     RecordFeeder feeder{{std::move(bytes).value(), awaited_fd, how, steps}, profile, *writer};
     if (const auto waited = wait_for_records(feeder, link, operator_break); !waited) return waited.error();
     if (feeder.records_written() == 0)
-        return report_end(common, options, feeder, feeder.failure(), ProgramRun{});
+        return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, judge);
     ProgramWatch watch{link, operator_break, line_count};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();
@@ -250,13 +246,69 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (!ended) of_run = operator_break.was_asked() ? operator_break.error({}) : ended.error();
     const auto failure =
         failure_of(feeder, link.segment(), writer->program(), program_name(options.path), of_run);
-    return report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt);
+    return report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt, judge);
+}
+
+/// A stream is gone once it is run, and what begins with a line has ways of its own.
+std::string reason_not_to_judge(const GcodeRunOptions& options) {
+    if (options.is_stream()) return "standard input cannot be read again";
+    if (options.from_line > 1) return "it began with line " + std::to_string(options.from_line);
+    if (options.is_dry) return "it was a dry run";
+    return {};
+}
+
+Result<verify::JudgedProgram> program_to_judge_by(const GcodeRunOptions& options, const Profile& profile,
+                                                  std::uint32_t override_percent) {
+    return program_of_file(options.path, language_of(options, profile, CoreStatus{}), override_percent);
+}
+
+/// On a core of our own: it is homed, and its pins are judged while it runs.
+Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& options) {
+    const auto profile = chosen_profile(common);
+    if (!profile) return profile.error();
+    ProgramCoreLaunch launch{common.segment, common.group, false, options.trace, std::nullopt};
+    const std::string reason = reason_not_to_judge(options);
+    if (reason.empty()) {
+        auto program = program_to_judge_by(options, *profile, kNoOverride_percent);
+        if (!program) return program.error();
+        launch.program = std::move(*program);
+    }
+    OperatorBreak operator_break;
+    auto core = ProgramCore::start(std::move(launch), *profile);
+    if (!core) return core.error();
+    print_note("no core serves " + common.segment + ": the machine is simulated");
+    if (const auto homed = (*core)->home(operator_break); !homed) return homed.error();
+    const auto judge = [&]() -> Result<PinsVerdict> {
+        auto report = (*core)->finish();
+        if (!report && reason.empty()) return report.error();
+        PinsVerdict pins{{}, reason, options.trace};
+        if (report) pins.verification = std::move(*report);
+        return pins;
+    };
+    return run_read((*core)->link(), common, options, *profile, operator_break, judge);
+}
+
+/// Judges the recording of a running core.
+Result<PinsVerdict> judged_recording(const GcodeRunOptions& options, const Profile& profile) {
+    PinsVerdict pins{{}, reason_not_to_judge(options), options.trace};
+    if (!pins.unverified_reason.empty()) return pins;
+    auto program = program_to_judge_by(options, profile, kMostOverride_percent);
+    if (!program) return program.error();
+    auto trace = verify::open_trace(options.trace);
+    if (!trace) return trace.error();
+    verify::ProgramVerifier verifier{std::move(*program), profile};
+    auto report = verify::judged_trace(verifier, **trace, {});
+    if (!report) return report.error();
+    pins.verification = std::move(*report);
+    return pins;
 }
 
 Result<int> run(const CommonOptions& common, const GcodeRunOptions& options) {
     if (options.is_stream() && options.from_line > 1)
         return Error{ErrorCode::bad_usage, "--from-line: for a file; standard input is run as it comes"};
+    if (const auto writable = check_output_folder(options.trace); !writable) return writable.error();
     auto link = link_to_core(common);
+    if (!link && link.error().code == ErrorCode::no_core) return run_simulated(common, options);
     if (!link) return link.error();
     const auto profile = profile_of_core(*link, common);
     if (!profile) return profile.error();
@@ -264,7 +316,21 @@ Result<int> run(const CommonOptions& common, const GcodeRunOptions& options) {
     if (options.is_stream()) {
         if (const auto begun = wait_for_input(*link, operator_break); !begun) return begun.error();
     }
-    return run_read(*link, common, options, *profile, operator_break);
+    std::unique_ptr<machine::RecordedPins> recording;
+    if (!options.trace.empty()) {
+        auto begun = machine::RecordedPins::start_file(*link, options.trace);
+        if (!begun) return begun.error();
+        recording = std::move(*begun);
+    }
+    const auto judge = [&]() -> Result<PinsVerdict> {
+        if (!recording) return PinsVerdict{{}, "no trace was asked for", {}};
+        if (const auto whole = recording->finish_file(); !whole) return whole.error();
+        return judged_recording(options, *profile);
+    };
+    auto done = run_read(*link, common, options, *profile, operator_break, judge);
+    // Of a run that failed, too.
+    if (recording && !done) (void)recording->finish_file();
+    return done;
 }
 
 }  // namespace
@@ -275,6 +341,7 @@ void add_gcode_run(CommandSet& commands) {
         .stream("FILE", options->path, "A program in G-code")
         .option("--from-line", options->from_line, 1, kMostLine,
                 "Begin with this line; what stands before it counts, but makes no motion")
+        .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--single", options->is_single, "Hold after each block; psicarve resume goes on")
         .flag("--optional-stop", options->stops_at_optional, "Hold at M1")
         .flag("--block-delete", options->skips_deleted, "Leave out blocks that begin with /")

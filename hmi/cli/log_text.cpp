@@ -73,6 +73,7 @@ std::string tripped_text(const JournalFacts& facts) {
 std::string alarm_text(const JournalRecord& record) {
     const JournalFacts& facts = record.facts;
     std::string text = record.what + told(facts, "axis", ", ") + place_text(facts) +
+                       told(facts, "line", " at line ", " of the program") +
                        told(facts, "expected", "; expected ", " pulses") + told(facts, "seen", ", seen ") +
                        told(facts, "wrong_layers", "; wrong may be ", " layers") +
                        told(facts, "first_wrong_layer", " from ") + tripped_text(facts) + "; at";
@@ -123,6 +124,9 @@ std::string job_text(const JournalRecord& record) {
                 told(facts, "checksum", ", job ");
     }
     text += told(facts, "first_layer", " with layer ") + told(facts, "how", ": ") + place_text(facts);
+    if (record.what == "program ended")
+        return record.what + told(facts, "how", ": ") + told(facts, "line", " at line ") +
+               told(facts, "reason", "; ");
     if (facts.number("dry")) text += ", dry";
     return text;
 }

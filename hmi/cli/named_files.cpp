@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kWritten{"--output", "--trace",     "--picture", "--preview",
                                                    "--piece",  "--deviation", "--csv"};
-constexpr std::array<std::string_view, 11> kRead{
-    "--profile", "--model", "MODEL", "MODEL|JOB", "JOB|TRACE", "JOB_A", "JOB_B", "FILE", "A", "B", "TRACE"};
+constexpr std::array<std::string_view, 12> kRead{"--profile", "--model", "MODEL", "MODEL|JOB",
+                                                 "JOB|TRACE", "JOB_A",   "JOB_B", "FILE",
+                                                 "--program", "A",       "B",     "TRACE"};
 
 template <typename Names>
 bool is_among(const Names& names, const std::string& name) {

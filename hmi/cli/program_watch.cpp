@@ -7,7 +7,6 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/program_text.hpp"
 #include "shared/base/units.hpp"
-#include "shared/segment/segment_program.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -18,18 +17,20 @@ std::string line_text(const ProgramStatus& program) {
 
 }  // namespace
 
-void ProgramWatch::tell_hold(const ProgramStatus& program) {
-    if (program.hold == told_hold_) return;
-    told_hold_ = program.hold;
+void ProgramWatch::tell_hold(const ProgramReport& report) {
+    const ProgramHold hold = report.status.hold;
+    if (hold == told_hold_) return;
+    told_hold_ = hold;
     // Every block: the bar tells.
-    if (program.hold == ProgramHold::none || program.hold == ProgramHold::single) return;
+    if (hold == ProgramHold::none || hold == ProgramHold::single) return;
     clear_progress_line();
-    print_note(program_place_text(program));
+    print_note(program_place_text(report));
 }
 
 Result<void> ProgramWatch::look(const CoreStatus& status) {
-    const ProgramStatus program = program_report(link_.segment()).status;
-    tell_hold(program);
+    const ProgramReport report = program_report(link_.segment());
+    const ProgramStatus& program = report.status;
+    tell_hold(report);
     bar_.relabel(std::string{name_of(status.state)});
     const double done =
         line_count_ == 0 ? 0.0 : static_cast<double>(program.line) / static_cast<double>(line_count_);

@@ -8,6 +8,7 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "shared/machine/program_status.hpp"
+#include "shared/segment/segment_program.hpp"
 
 namespace psicarve::cli {
 
@@ -23,7 +24,7 @@ public:
     Result<void> look(const CoreStatus& status);
 
 private:
-    void tell_hold(const ProgramStatus& program);
+    void tell_hold(const ProgramReport& report);
 
     machine::MachineLink& link_;
     OperatorBreak& operator_break_;

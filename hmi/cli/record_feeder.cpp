@@ -52,6 +52,7 @@ public:
         machine_.take(record);
         if (!is_wrong()) maker_.take(record);
     }
+    void end_block() override { maker_.end_block(); }
     bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
 
 private:
@@ -79,14 +80,16 @@ void RecordFeeder::wait() {
 }
 
 /// A terminal or a pipe may stay silent: then there must be a way out of the waiting.
-gcode::ByteSource RecordFeeder::patient(gcode::ByteSource bytes, int awaited_fd) const {
-    return [this, read = std::move(bytes), awaited_fd](std::span<char> room) -> Result<std::size_t> {
+gcode::ProgramBytes RecordFeeder::patient(gcode::ProgramBytes bytes, int awaited_fd) const {
+    const auto wait = [this, read = std::move(bytes.read),
+                       awaited_fd](std::span<char> room) -> Result<std::size_t> {
         pollfd awaited{awaited_fd, POLLIN, 0};
         while (!is_given_up_.load()) {
             if (awaited_fd < 0 || poll(&awaited, 1, static_cast<int>(kLook.count())) > 0) return read(room);
         }
         return given_up();
     };
+    return {wait, std::move(bytes.seek)};
 }
 
 void RecordFeeder::feed(Program program, const Profile& profile) {

@@ -25,7 +25,7 @@ namespace psicarve::cli {
 class RecordFeeder {
 public:
     struct Program {
-        gcode::ByteSource bytes;
+        gcode::ProgramBytes bytes;
         int awaited_fd = -1;  ///< read when it has something, which may be never; -1: at once
         gcode::InterpreterOptions language;
         gcode::RunOptions run;
@@ -57,7 +57,7 @@ private:
     class JudgedMotion;
 
     void feed(Program program, const Profile& profile);
-    gcode::ByteSource patient(gcode::ByteSource bytes, int awaited_fd) const;
+    gcode::ProgramBytes patient(gcode::ProgramBytes bytes, int awaited_fd) const;
 
     ProgramWriter& writer_;
     std::atomic<bool> is_given_up_{false};

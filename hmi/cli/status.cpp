@@ -58,7 +58,7 @@ std::optional<Profile> known_profile(machine::MachineLink& link, const std::opti
 class RunningPass {
 public:
     std::string name(machine::MachineLink& link, const CoreStatus& status) {
-        if (!runs_job(status.state)) return {};
+        if (!runs_job(status.state) || program_report(link.segment()).status.is_running != 0) return {};
         if (status.job_generation != generation_) look(link, status.job_generation);
         for (const JobPass& pass : passes_)
             if (status.layer - pass.first_layer < pass.layer_count) return pass_name(pass);
@@ -178,7 +178,7 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     const auto checkpoint = link.checkpoint();
     object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
-    object["program"] = program_json(program_report(link.segment()).status);
+    object["program"] = program_json(program_report(link.segment()));
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
@@ -197,7 +197,10 @@ Error with_last_state(machine::MachineLink& link, Error error) {
     const auto last = link.last_status();
     if (!last || link.core_pid()) return error;
     error.message += "; the last one left it " + state_text(*last);
-    if (last->points_total > 0) {
+    const ProgramStatus program = program_report(link.segment()).status;
+    if (program.is_running != 0) {
+        error.message += " in line " + std::to_string(program.line) + " of its program";
+    } else if (last->points_total > 0) {
         error.message +=
             " at layer " + std::to_string(last->layer) + ", point " + std::to_string(last->point);
     }
@@ -220,8 +223,8 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
         if (common.json)
             return json_line(*link, *status, pass, profile, pieces.beside(*link, *status, patience));
-        const ProgramStatus program = program_report(link->segment()).status;
-        if (as_line && program.is_running != 0)
+        const ProgramReport program = program_report(link->segment());
+        if (as_line && program.status.is_running != 0)
             return state_text(*status) + "; program " + program_place_text(program) + "\n";
         if (as_line) return status_line(*status, pass);
         const auto checkpoint = link->checkpoint();

@@ -14,6 +14,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/program_verify.hpp"
 #include "hmi/cli/sliced_model.hpp"
 #include "hmi/picture/picture.hpp"
 #include "hmi/trace/carried_job.hpp"
@@ -23,11 +24,12 @@ namespace psicarve::cli {
 namespace {
 
 constexpr CommandText kVerifyText{
-    "verify", "Judge a pin trace against its job, knowing nothing else",
+    "verify", "Judge a pin trace against its job or program, knowing nothing else",
     "Replays the pins alone into positions, checks what pulses must obey, carves the "
     "blank in simulation and\n"
     "compares it with the job's surface. Exit code 6 when something differs.",
     "psicarve verify pins.trace --picture carved.png\n"
+    "psicarve verify pins.trace --program pocket.ngc\n"
     "psicarve verify figurine.job pins.vcd --model figurine.stl --deviation piece.png"};
 
 struct VerifyOptions {
@@ -36,6 +38,7 @@ struct VerifyOptions {
     std::string picture;
     PieceFiles files;
     verify::LayerRange layers;
+    ProgramVerifyOptions program;
 };
 
 std::string json_of(const verify::VerifyReport& report, const std::unique_ptr<CarvedPiece>& piece) {
@@ -84,7 +87,17 @@ Result<void> check_has_one_job(const VerifyOptions& options, const verify::Trace
                      options.trace);
 }
 
+/// What is drawn and compared is a job's piece.
+Result<int> verify_by_program(const CommonOptions& common, const VerifyOptions& options) {
+    const bool has_layers = options.layers.first != 0 || options.layers.count != 0;
+    if (!options.trace.empty() || !options.picture.empty() || options.files.any() || has_layers)
+        return Error{ErrorCode::bad_usage,
+                     "--program: with a trace alone, as psicarve verify TRACE --program FILE"};
+    return verify_program(common, options.job, options.program);
+}
+
 Result<int> verify_files(const CommonOptions& common, VerifyOptions options) {
+    if (!options.program.program.empty()) return verify_by_program(common, options);
     std::error_code none;
     if (options.trace.empty() || std::filesystem::equivalent(options.job, options.trace, none))
         options.trace = options.job;
@@ -135,7 +148,15 @@ void add_verify(CommandSet& commands) {
         .picture_option(options->picture)
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
                 "Carving was to begin with layer N, as with psicarve start")
-        .option("--layers", options->layers.count, 0, kMaxJobCount, "And to end after N layers");
+        .option("--layers", options->layers.count, 0, kMaxJobCount, "And to end after N layers")
+        .option("--program", options->program.program, "FILE",
+                "The program in G-code that the trace has, in place of a job")
+        .choice("--dialect", options->program.dialect, {"ngc", "iso"},
+                "Of the program, as for gcode run (default ngc)")
+        .flag("--block-delete", options->program.skips_deleted,
+              "Of the program: leave out blocks that begin with /")
+        .option("--override", options->program.override_percent, 100, 200,
+                "The highest override [%] while the program ran (default 100)");
     add_piece_options(syntax, options->files);
 }
 

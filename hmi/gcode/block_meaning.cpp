@@ -87,9 +87,6 @@ std::optional<Problem> BlockMeaning::read_code(const Word& word, Dialect dialect
         case CodeStanding::tool_table:
             return problem(word.column, ProblemCode::tool_table,
                            code_name(word.letter, code) + ": there is no tool table");
-        case CodeStanding::not_read:
-            return problem(word.column, ProblemCode::not_read,
-                           code_name(word.letter, code) + ": subprograms are not read");
         case CodeStanding::unknown:
             break;
     }

@@ -49,6 +49,8 @@ class CanonSink {
 public:
     virtual ~CanonSink() = default;
     virtual void take(const CanonRecord& record) = 0;
+    /// What follows is of another block, though perhaps of the same line.
+    virtual void end_block() {}
     /// False: it has failed, and there is no use in reading on.
     virtual bool wants_more() const noexcept { return true; }
 };

@@ -48,8 +48,7 @@ constexpr std::array<CodeEntry, kMCodeCount> make_m_codes() {
     set_group(table, CodeGroup::spindle, {3, 4, 5});
     set_group(table, CodeGroup::coolant, {7, 8, 9});
     set_group(table, CodeGroup::overrides, {48, 49, 50, 51, 52, 53});
-    set_group(table, CodeGroup::stop, {0, 1, 2, 30, 60});
-    set_standing(table, CodeStanding::not_read, {98, 99});
+    set_group(table, CodeGroup::stop, {0, 1, 2, 30, 60, 98, 99});
     return table;
 }
 

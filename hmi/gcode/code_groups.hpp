@@ -25,13 +25,13 @@ enum class CodeGroup : std::uint8_t {
     spindle,       ///< M3 M4 M5
     coolant,       ///< M7 M8 M9
     overrides,     ///< M48 to M53
-    stop,          ///< M0 M1 M2 M30 M60
+    stop,          ///< M0 M1 M2 M30 M60 M98 M99
 };
 inline constexpr std::size_t kCodeGroupCount = 18;
 inline constexpr int kNoCode = -1;
 
 /// What is known of a code. Codes are counted in tenths: G92.1 is 921.
-enum class CodeStanding : std::uint8_t { unknown, known, compensation, tool_table, not_read };
+enum class CodeStanding : std::uint8_t { unknown, known, compensation, tool_table };
 struct CodeEntry {
     CodeStanding standing = CodeStanding::unknown;
     CodeGroup group = CodeGroup::once;

@@ -37,8 +37,10 @@ Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, Pro
       placed_(options.is_start_known ? kAllLetters : AxisMask{0}),
       start_placed_(placed_) {}
 
-void Interpreter::run(const Block& block) {
+void Interpreter::run(const Block& block, bool has_doubt) {
+    jump_.code = 0;
     if (has_ended_ || (block.is_deleted() && options_.skips_deleted)) return;
+    are_values_doubtful_ = has_doubt && block.has_values();
     Fault wrong = words_.read(block, options_.dialect);
     if (!wrong && words_.is_empty()) return;
     if (!wrong) wrong = judge();
@@ -155,7 +157,9 @@ Interpreter::Fault Interpreter::judge_claims() {
     const int once = words_.code(CodeGroup::once);
     const int outputs = words_.code(CodeGroup::outputs);
     const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
+    const bool calls = words_.code(CodeGroup::stop) == 98;
     int claims = 0;
+    if (calls) words_.take('L');
     if (is_arc)
         for (const char letter : {'I', 'J', 'K', 'R'}) words_.take(letter);
     if (is_cycle(motion_to_be_))
@@ -165,8 +169,9 @@ Interpreter::Fault Interpreter::judge_claims() {
         for (const char letter : {'L', 'R'}) words_.take(letter);
     if (outputs == 66)
         for (const char letter : {'L', 'Q'}) words_.take(letter);
-    for (const bool claims_p : {is_arc, motion_to_be_ == 820, once == 40, once == 100, outputs != kNoCode,
-                                words_.code(CodeGroup::path) == 640, words_.code(CodeGroup::overrides) >= 50})
+    for (const bool claims_p :
+         {is_arc, motion_to_be_ == 820, once == 40, once == 100, outputs != kNoCode, calls,
+          words_.code(CodeGroup::path) == 640, words_.code(CodeGroup::overrides) >= 50})
         claims += claims_p ? 1 : 0;
     if (claims > 0) words_.take('P');
     if (claims > 1 && words_.has('P'))
@@ -198,8 +203,7 @@ Interpreter::Fault Interpreter::execute() {
     if (auto wrong = move()) return wrong;
     if (is_too_far_)
         return fault(words_.axis_column(), ProblemCode::out_of_range, "a place beyond 1 000 000 000 mm");
-    stop();
-    return std::nullopt;
+    return stop();
 }
 
 CanonRecord Interpreter::record(CanonKind kind) const {
@@ -214,6 +218,8 @@ void Interpreter::emit(CanonKind kind, int code, double value) {
     CanonRecord made = record(kind);
     made.code = code;
     made.value = value;
+    const bool is_rest = kind == CanonKind::stop || kind == CanonKind::tool_change;
+    if (is_rest || (kind == CanonKind::dwell && value > 0.0)) ++action_count_;
     sink_.take(made);
 }
 

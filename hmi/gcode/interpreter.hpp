@@ -13,6 +13,7 @@
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/modal_state.hpp"
 #include "hmi/gcode/problem.hpp"
+#include "hmi/gcode/program_state.hpp"
 #include "hmi/gcode/work_offsets.hpp"
 
 namespace psicarve::gcode {
@@ -23,16 +24,31 @@ struct InterpreterOptions {
     Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
     Position start{};            ///< where the machine stands, machine coordinates
     bool is_start_known = true;  ///< it stands there; false: anywhere
+    /// Loops and calls may have so many blocks executed in all, and so many in a row that make neither a
+    /// move, a dwell nor a stop.
+    std::uint64_t most_repeated_blocks = 100'000'000;
+    std::uint64_t most_idle_blocks = 1'000'000;
+};
+
+/// M98 or M99, which a block asks for.
+struct WantedJump {
+    int code = 0;  ///< 98 or 99; 0: none
+    std::uint64_t number = 0;
+    std::uint64_t times = 1;
+    std::uint32_t column = 0;
 };
 
 /// Executes blocks in the order of RS274/NGC, one after the other, and gives their meaning to a sink. A wrong
 /// block is reported once; faults that follow from it are not.
-class Interpreter {
+class Interpreter : public ProgramState {
 public:
     /// Sink and list outlive the interpreter.
     Interpreter(const InterpreterOptions& options, CanonSink& sink, ProblemList& problems);
 
-    void run(const Block& block);
+    /// `has_doubt`: values in it are perhaps not those that the program means; no place is known by them.
+    void run(const Block& block, bool has_doubt);
+    /// A program may ask for the line that is being read.
+    void begin_line(std::uint64_t line) noexcept { line_ = line; }
     /// In place of run() for a block that could not be read.
     void pass_unreadable(std::string_view line) noexcept;
     /// The second % of a program ends it.
@@ -42,6 +58,13 @@ public:
     /// A line that could not be read may have been the end.
     bool is_end_doubtful() const noexcept { return is_end_doubtful_; }
     std::uint64_t motion_count() const noexcept { return motion_count_; }
+    /// Moves that lead somewhere, dwells and stops.
+    std::uint64_t action_count() const noexcept { return action_count_; }
+    /// Of the last block.
+    const WantedJump& wanted_jump() const noexcept { return jump_; }
+
+    StateAnswer numbered(std::uint32_t number) const override;
+    StateAnswer named(std::string_view name) const override;
 
 private:
     using Fault = std::optional<Problem>;
@@ -53,7 +76,9 @@ private:
 
     void pass_wrong() noexcept;
     void doubt_modes(char tens, char ones) noexcept;
-    bool are_places_doubtful() const noexcept { return are_units_doubtful_ || is_distance_doubtful_; }
+    bool are_places_doubtful() const noexcept {
+        return are_units_doubtful_ || is_distance_doubtful_ || are_values_doubtful_;
+    }
     Fault judge();
     Fault judge_motion();
     Fault judge_claims();
@@ -76,7 +101,12 @@ private:
     Fault set_coordinates();
     void set_shift();
     void go_to_reference(std::size_t which);
-    void stop();
+    Fault stop();
+    Fault want_jump(int code);
+
+    StateAnswer program_place(std::size_t axis) const noexcept;
+    StateAnswer machine_place(std::size_t axis) const noexcept;
+    StateAnswer mode(std::string_view name) const noexcept;
 
     Fault move();
     Fault move_straight(bool is_rapid);
@@ -124,11 +154,15 @@ private:
     bool is_too_far_ = false;          ///< a move of this block was left out
     bool are_units_doubtful_ = false;  ///< a wrong block may have changed the units
     bool is_distance_doubtful_ = false;
+    bool are_values_doubtful_ = false;  ///< of this block
     bool is_feed_doubtful_ = false;
     bool is_motion_doubtful_ = false;
     bool is_end_doubtful_ = false;
     bool has_ended_ = false;
     std::uint64_t motion_count_ = 0;
+    std::uint64_t action_count_ = 0;
+    std::uint64_t line_ = 0;
+    WantedJump jump_;
 };
 
 }  // namespace psicarve::gcode

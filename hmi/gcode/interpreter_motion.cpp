@@ -157,6 +157,7 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, const F
     start_placed_ = placed_;
     moved.end = machine_;
     ++motion_count_;
+    if (moved.end != moved.start || moved.turns != 0) ++action_count_;
     sink_.take(moved);
 }
 

@@ -79,6 +79,7 @@ void Interpreter::set_tool() {
     if (!words_.has(CodeGroup::tool)) return;
     if (modes_.is_spindle_on) emit(CanonKind::spindle, 5, 0.0);
     modes_.is_spindle_on = false;
+    modes_.tool_in_spindle = modes_.tool;
     emit(CanonKind::tool_change, 6, modes_.tool);
 }
 
@@ -86,11 +87,17 @@ void Interpreter::set_spindle() {
     const int code = words_.code(CodeGroup::spindle);
     if (code == kNoCode) return;
     modes_.is_spindle_on = code != 5;
+    modes_.is_spindle_reverse = code == 4;
     emit(CanonKind::spindle, code, modes_.spindle_rpm);
 }
 
 Interpreter::Fault Interpreter::set_switches() {
-    if (words_.has(CodeGroup::coolant)) emit(CanonKind::coolant, words_.code(CodeGroup::coolant), 0.0);
+    if (words_.has(CodeGroup::coolant)) {
+        const int coolant = words_.code(CodeGroup::coolant);
+        modes_.is_mist_on = coolant == 7 || (coolant == 8 && modes_.is_mist_on);
+        modes_.is_flood_on = coolant == 8 || (coolant == 7 && modes_.is_flood_on);
+        emit(CanonKind::coolant, coolant, 0.0);
+    }
     if (!words_.has(CodeGroup::overrides)) return std::nullopt;
     const int code = words_.code(CodeGroup::overrides);
     const double value = code >= 50 && words_.has('P') ? words_.value('P') : 1.0;
@@ -257,12 +264,29 @@ void Interpreter::go_to_reference(std::size_t which) {
     rapid_to(offsets_.to_program(home));
 }
 
-void Interpreter::stop() {
+Interpreter::Fault Interpreter::stop() {
     const int code = words_.code(CodeGroup::stop);
-    if (code == kNoCode) return;
-    if (code != 2 && code != 30) return emit(CanonKind::stop, code, 0.0);
-    emit(CanonKind::end, code, 0.0);
-    has_ended_ = true;
+    if (code == kNoCode) return std::nullopt;
+    if (code == 98 || code == 99) return want_jump(code);
+    emit(code == 2 || code == 30 ? CanonKind::end : CanonKind::stop, code, 0.0);
+    has_ended_ = code == 2 || code == 30;
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::want_jump(int code) {
+    const std::uint32_t column = words_.column(CodeGroup::stop);
+    jump_ = {code, 0, 1, column};
+    if (code == 99) return std::nullopt;
+    jump_.code = 0;
+    if (!words_.has('P'))
+        return fault(column, ProblemCode::word_missing, "M98 has no P, the number of the subroutine");
+    if (!is_whole(words_.value('P')))
+        return fault(words_.column('P'), ProblemCode::not_whole, "P is the number of a subroutine");
+    if (words_.value('P') < 0.0)
+        return fault(words_.column('P'), ProblemCode::out_of_range, "P is the number of a subroutine");
+    jump_ = {code, static_cast<std::uint64_t>(words_.value('P')), 1, column};
+    if (words_.has('L')) jump_.times = static_cast<std::uint64_t>(words_.value('L'));
+    return std::nullopt;
 }
 
 }  // namespace psicarve::gcode

@@ -44,19 +44,78 @@ Error wrong_program(const std::string& path) {
     return bad_input(path + ": cannot be read: " + std::strerror(errno));
 }
 
+ByteSeek seek_of(const std::shared_ptr<OpenProgram>& program, const std::string& path) {
+    return [program, path](std::uint64_t offset) -> Result<void> {
+        if (lseek(program->descriptor(), static_cast<off_t>(offset), SEEK_SET) < 0)
+            return wrong_program(path);
+        return {};
+    };
+}
+
 }  // namespace
 
-LineSource::LineSource(ByteSource bytes) : bytes_(std::move(bytes)), buffer_(kBufferBytes, '\0') {}
+LineSource::LineSource(ProgramBytes bytes) : bytes_(std::move(bytes)), buffer_(kBufferBytes, '\0') {}
 
 Result<bool> LineSource::fill() {
-    const auto got = bytes_(std::span<char>{buffer_.data(), buffer_.size()});
+    const auto got = bytes_.read(std::span<char>{buffer_.data(), buffer_.size()});
     if (!got) return got.error();
     begin_ = 0;
     end_ = *got;
     return *got > 0;
 }
 
+bool LineSource::can_go_to(const LinePlace& place) const noexcept {
+    return bytes_.seek != nullptr || place.offset == read_to_ || kept_.holds(place.offset);
+}
+
+Result<void> LineSource::go_to(const LinePlace& place) {
+    number_ = place.line;
+    if (bytes_.seek != nullptr && place.offset != offset_) {
+        // Most loops lie in what has just been read.
+        const std::uint64_t buffer_offset = offset_ - begin_;
+        if (place.offset >= buffer_offset && place.offset - buffer_offset <= end_) {
+            begin_ = place.offset - buffer_offset;
+        } else {
+            if (const auto found = bytes_.seek(place.offset); !found) return found.error();
+            begin_ = end_ = 0;
+        }
+    }
+    offset_ = place.offset;
+    return {};
+}
+
+void LineSource::hold() {
+    if (bytes_.seek != nullptr) return;
+    if (holds_++ == 0 && offset_ == read_to_) kept_.begin(offset_);
+}
+
+void LineSource::release() {
+    if (bytes_.seek != nullptr) return;
+    if (--holds_ == 0) kept_.drop();
+}
+
+void LineSource::keep_for_good() {
+    kept_.keep_for_good();
+}
+
 Result<bool> LineSource::next(std::string_view& line) {
+    if (bytes_.seek == nullptr && offset_ != read_to_) {
+        if (!kept_.holds(offset_)) return false;
+        line = kept_.line_at(offset_);
+        offset_ += line.size() + 1;
+        ++number_;
+        return true;
+    }
+    const auto got = next_of_bytes(line);
+    if (bytes_.seek == nullptr && got && *got) {
+        if (holds_ > 0) kept_.append(offset_, line);
+        offset_ += line.size() + 1;
+        read_to_ = offset_;
+    }
+    return got;
+}
+
+Result<bool> LineSource::next_of_bytes(std::string_view& line) {
     joined_.clear();
     bool has_some = false;
     std::size_t line_bytes = 0;
@@ -79,6 +138,7 @@ Result<bool> LineSource::next(std::string_view& line) {
             return bad_input("line " + std::to_string(number_ + 1) +
                              " has more than 64 MiB: this is no program in G-code");
         if (length != std::string_view::npos) ++begin_;
+        if (bytes_.seek != nullptr) offset_ += piece.size() + (length != std::string_view::npos ? 1 : 0);
         if (length != std::string_view::npos && joined_.empty()) {
             ++number_;
             line = piece.substr(0, kMostLineBytes + 1);
@@ -93,18 +153,19 @@ Result<bool> LineSource::next(std::string_view& line) {
     return true;
 }
 
-Result<ByteSource> open_program(const std::string& path) {
+Result<ProgramBytes> open_program(const std::string& path) {
     const auto program = std::make_shared<OpenProgram>(open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat facts {};
     if (program->descriptor() < 0 || fstat(program->descriptor(), &facts) != 0) return wrong_program(path);
     if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder; name a program");
-    return ByteSource{[program, path](std::span<char> room) -> Result<std::size_t> {
+    ByteSource bytes{[program, path](std::span<char> room) -> Result<std::size_t> {
         for (;;) {
             const ssize_t got = read(program->descriptor(), room.data(), room.size());
             if (got >= 0) return static_cast<std::size_t>(got);
             if (errno != EINTR) return wrong_program(path);
         }
     }};
+    return ProgramBytes{std::move(bytes), S_ISREG(facts.st_mode) ? seek_of(program, path) : ByteSeek{}};
 }
 
 Result<FileState> state_of_program(const std::string& path) {
@@ -116,10 +177,10 @@ Result<FileState> state_of_program(const std::string& path) {
     return state_from(facts);
 }
 
-Result<ByteSource> open_unchanged_program(const std::string& path, const FileState& state) {
+Result<ProgramBytes> open_unchanged_program(const std::string& path, const FileState& state) {
     const auto program = std::make_shared<OpenProgram>(open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (program->descriptor() < 0) return wrong_program(path);
-    return ByteSource{[program, path, state](std::span<char> room) -> Result<std::size_t> {
+    ByteSource bytes{[program, path, state](std::span<char> room) -> Result<std::size_t> {
         const ssize_t got = read(program->descriptor(), room.data(), room.size());
         if (got < 0) return wrong_program(path);
         // Looked at afterwards: what was read before a change is what was checked.
@@ -129,6 +190,7 @@ Result<ByteSource> open_unchanged_program(const std::string& path, const FileSta
             return bad_input(path + ": has been changed while it is run; what was read of it before is run");
         return static_cast<std::size_t>(got);
     }};
+    return ProgramBytes{std::move(bytes), seek_of(program, path)};
 }
 
 }  // namespace psicarve::gcode

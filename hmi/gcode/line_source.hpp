@@ -6,8 +6,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "hmi/gcode/block.hpp"
+#include "hmi/gcode/kept_text.hpp"
 #include "shared/base/result.hpp"
 
 namespace psicarve::gcode {
@@ -15,10 +17,20 @@ namespace psicarve::gcode {
 /// Gives the next bytes of a program: returns how many were put into the room, 0 at the end.
 using ByteSource = std::function<Result<std::size_t>(std::span<char> room)>;
 
-/// A program line by line, in constant memory however long it is.
+/// Goes on reading from this byte of the program.
+using ByteSeek = std::function<Result<void>(std::uint64_t offset)>;
+
+struct ProgramBytes {
+    ByteSource read;
+    ByteSeek seek;  ///< empty: the bytes come once
+};
+
+/// A program line by line, in constant memory however long it is, and from a line on that was read before:
+/// what cannot be read twice is kept as long as it is held, up to 64 MiB.
 class LineSource {
 public:
-    explicit LineSource(ByteSource bytes);
+    explicit LineSource(ProgramBytes bytes);
+    explicit LineSource(ByteSource bytes) : LineSource(ProgramBytes{std::move(bytes), {}}) {}
 
     /// The next line without its line feed; valid until the next call. A line longer than kMostLineBytes is
     /// cut to a byte more than that. False: there is none.
@@ -26,19 +38,38 @@ public:
     /// Number of the line that next() gave, from 1.
     std::uint64_t number() const noexcept { return number_; }
 
+    /// Of the line that next() gives next.
+    LinePlace place() const noexcept { return {offset_, number_}; }
+    /// next() goes on there. Requires can_go_to().
+    Result<void> go_to(const LinePlace& place);
+    bool can_go_to(const LinePlace& place) const noexcept;
+
+    /// From here on go_to() is wanted, until as many release() as hold().
+    void hold();
+    void release();
+    /// What has been held till now is wanted to the end.
+    void keep_for_good();
+    /// More had to be kept than there is room for.
+    bool has_overflowed() const noexcept { return kept_.has_overflowed(); }
+
 private:
     Result<bool> fill();
+    Result<bool> next_of_bytes(std::string_view& line);
 
-    ByteSource bytes_;
+    ProgramBytes bytes_;
     std::string buffer_;
     std::string joined_;  ///< a line that lies in two fills
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
     std::uint64_t number_ = 0;
+    std::uint64_t offset_ = 0;   ///< of the next line; in a stream counted by what next() has given
+    std::uint64_t read_to_ = 0;  ///< of a stream: up to where it has been read
+    KeptText kept_;
+    std::size_t holds_ = 0;
 };
 
 /// Reads a file; errors name it.
-Result<ByteSource> open_program(const std::string& path);
+Result<ProgramBytes> open_program(const std::string& path);
 
 /// The text that a file had at a time.
 struct FileState {
@@ -51,6 +82,6 @@ struct FileState {
 /// bad_input for what is no regular file: it could be read only once.
 Result<FileState> state_of_program(const std::string& path);
 /// The same, and an error as soon as the file is no longer what it was.
-Result<ByteSource> open_unchanged_program(const std::string& path, const FileState& state);
+Result<ProgramBytes> open_unchanged_program(const std::string& path, const FileState& state);
 
 }  // namespace psicarve::gcode

@@ -8,6 +8,7 @@
 
 #include "hmi/gcode/arc.hpp"
 #include "shared/base/units.hpp"
+#include "shared/program/motion_record.hpp"
 
 namespace psicarve::gcode {
 namespace {
@@ -97,6 +98,7 @@ void MachineCheck::judge_switches(const CanonRecord& record) {
         refuse(record, ProblemCode::speed_unused, "S: the machine's spindle is only switched");
     if (record.kind == CanonKind::coolant && record.code != 9)
         refuse(record, ProblemCode::coolant_unused, "the machine has no output for coolant");
+    if (record.kind == CanonKind::dwell) (void)lasts_no_day(record, record.value, "a dwell");
     if (record.kind == CanonKind::override_set) judge_override(record);
     if (record.kind == CanonKind::path) judge_tolerance(record);
     if (record.kind == CanonKind::output || record.kind == CanonKind::input)
@@ -114,6 +116,22 @@ void MachineCheck::judge_override(const CanonRecord& record) {
                name + " would take the feed's override from the operator");
     if ((record.code == 52 || record.code == 53) && is_on)
         refuse(record, ProblemCode::output_missing, name + ": the machine has no input for it");
+}
+
+/// What lasts longer the core refuses, and only when the machine has come so far.
+bool MachineCheck::lasts_no_day(const CanonRecord& record, double seconds, const std::string& what) {
+    if (!(seconds > kMostRecordSeconds)) return true;
+    char text[96];
+    std::snprintf(text, sizeof text, " of %.0f s; the machine takes %.0f s, a day, at most", seconds,
+                  kMostRecordSeconds);
+    refuse(record, ProblemCode::out_of_range, what + text);
+    return false;
+}
+
+bool MachineCheck::is_way_in_time(const CanonRecord& record) {
+    constexpr double kSecondsPerMinute = 60.0;
+    if (!(record.feed_per_min > 0.0)) return true;
+    return lasts_no_day(record, record.length / record.feed_per_min * kSecondsPerMinute, "a way");
 }
 
 void MachineCheck::judge_tolerance(const CanonRecord& record) {
@@ -176,12 +194,14 @@ void MachineCheck::judge_end(const CanonRecord& record, const LinearAxis& axis) 
 }
 
 void MachineCheck::judge_motion(const CanonRecord& record) {
+    if (!is_way_in_time(record)) return;
     if (!has_only_our_letters(record)) return;
     for (const LinearAxis& axis : axes_) judge_end(record, axis);
     judge_tips(record);
 }
 
 void MachineCheck::judge_arc(const CanonRecord& record) {
+    if (!is_way_in_time(record)) return;
     if (!has_only_our_letters(record)) return;
     const Plane& plane = *record.plane;
     if (!letters_.has_arcs_in(plane))

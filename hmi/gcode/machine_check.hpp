@@ -11,8 +11,8 @@
 namespace psicarve::gcode {
 
 /// Judges motion by a machine whose axes have the letters of the profile, as far as that is possible without
-/// planning: letters, arcs, travel of ends and arcs, core radius, the tips' distance at ends, outputs. Does
-/// not judge axes whose place the program has not set yet.
+/// planning: letters, arcs, travel of ends and arcs, core radius, the tips' distance at ends, outputs, times
+/// that no record can have. Does not judge axes whose place the program has not set yet.
 class MachineCheck : public CanonSink {
 public:
     /// The list outlives the check.
@@ -33,6 +33,8 @@ private:
     void refuse(const CanonRecord& record, ProblemCode code, std::string what);
     void judge_switches(const CanonRecord& record);
     void judge_override(const CanonRecord& record);
+    bool lasts_no_day(const CanonRecord& record, double seconds, const std::string& what);
+    bool is_way_in_time(const CanonRecord& record);
     void judge_tolerance(const CanonRecord& record);
     bool has_only_our_letters(const CanonRecord& record);
     void judge_motion(const CanonRecord& record);

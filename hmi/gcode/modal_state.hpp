@@ -26,7 +26,11 @@ struct ModalState {
     bool retracts_to_start = false;
     double spindle_rpm = 0.0;
     bool is_spindle_on = false;
-    double tool = 0.0;
+    bool is_spindle_reverse = false;
+    bool is_mist_on = false;
+    bool is_flood_on = false;
+    double tool = 0.0;  ///< selected
+    double tool_in_spindle = 0.0;
 };
 
 /// Letters that a program has set where it had not set the place before: the result is not known.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/problem.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -62,6 +63,27 @@ constexpr std::array<CodeRow, kProblemCodeCount> kCodeRows{{
     {spindle_reverse, "spindle_reverse", "use M3: the spindle is only switched"},
     {output_missing, "output_missing", "take it out: nothing is wired there"},
     {override_kept, "override_kept", "take it out: the operator's overrides always hold"},
+    {bracket_missing, "bracket_missing", "close every [ with ], and every < of a name with >"},
+    {expression_wrong, "expression_wrong", "use the operators and functions of docs/gcode.md"},
+    {value_impossible, "value_impossible", "give it a value that can be calculated"},
+    {parameter_range, "parameter_range", "use the parameters #1 to #5601"},
+    {parameter_unset, "parameter_unset", "set the parameter before it is used"},
+    {parameter_kept, "parameter_kept", "leave the parameter as it is: only the machine sets it"},
+    {parameter_many, "parameter_many", "use fewer names"},
+    {assignment_wrong, "assignment_wrong", "write #number=value or #<name>=value"},
+    {too_deep, "too_deep", "use fewer levels: 64 of brackets, 100 of O words, 100 of calls"},
+    {o_word_wrong, "o_word_wrong", "use an O word as docs/gcode.md has them"},
+    {o_word_beside, "o_word_beside", "give an O word a line of its own"},
+    {o_word_unmatched, "o_word_unmatched",
+     "begin and end with one number or name, one block within the other"},
+    {o_word_open, "o_word_open", "end the block before the program ends"},
+    {o_word_place, "o_word_place", "put it where docs/gcode.md allows it"},
+    {sub_missing, "sub_missing", "write the subroutine into the same file"},
+    {sub_twice, "sub_twice", "give each subroutine its own number or name"},
+    {too_many_arguments, "too_many_arguments", "pass 30 values at most"},
+    {endless, "endless", "let the loop end, or move in it"},
+    {too_many_blocks, "too_many_blocks", "let the CAM system write the blocks out, or take fewer passes"},
+    {text_too_long, "text_too_long", "store the program in a file: there it may be of any length"},
     {feed_beside_units, "feed_beside_units", "put the units into a block before the feed"},
     {speed_unused, "speed_unused", "set the speed at the spindle"},
     {coolant_unused, "coolant_unused", "switch coolant by hand"},
@@ -104,6 +126,11 @@ std::string problem_text(const Problem& problem, std::string_view file_name) {
 void ProblemList::add(Problem problem) {
     const bool warns = is_warning(problem.code);
     auto& kept = warns ? warnings_ : errors_;
+    const auto is_told = [&](const Problem& told) {
+        return told.line == problem.line && told.column == problem.column && told.code == problem.code;
+    };
+    // A loop comes by again.
+    if (warns && std::any_of(kept.begin(), kept.end(), is_told)) return;
     ++(warns ? warning_count_ : error_count_);
     if (kept.size() < kMostKept) kept.push_back(std::move(problem));
 }

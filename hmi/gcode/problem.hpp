@@ -56,11 +56,31 @@ enum class ProblemCode : std::uint8_t {
     spindle_reverse,
     output_missing,
     override_kept,
+    bracket_missing,
+    expression_wrong,
+    value_impossible,
+    parameter_range,
+    parameter_unset,
+    parameter_kept,
+    parameter_many,
+    assignment_wrong,
+    too_deep,
+    o_word_wrong,
+    o_word_beside,
+    o_word_unmatched,
+    o_word_open,
+    o_word_place,
+    sub_missing,
+    sub_twice,
+    too_many_arguments,
+    endless,
+    too_many_blocks,
+    text_too_long,
     feed_beside_units,
     speed_unused,
     coolant_unused,
 };
-inline constexpr std::size_t kProblemCodeCount = 48;
+inline constexpr std::size_t kProblemCodeCount = 68;
 
 std::string_view name_of(ProblemCode code) noexcept;
 /// What to do about it, one clause.
@@ -77,7 +97,8 @@ struct Problem {
 /// "FILE:LINE:COLUMN: code: what is wrong; remedy"
 std::string problem_text(const Problem& problem, std::string_view file_name);
 
-/// All problems of a program are counted, the first ones of each kind kept.
+/// All problems of a program are counted, the first ones of each kind kept. A warning that is kept is not
+/// told again of the same place.
 class ProblemList {
 public:
     static constexpr std::size_t kMostKept = 100;

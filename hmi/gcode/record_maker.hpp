@@ -28,6 +28,7 @@ public:
     RecordMaker(const Profile& profile, const RunOptions& options, RecordSink& sink) noexcept;
 
     void take(const CanonRecord& record) override;
+    void end_block() override { outlet_.end_block(); }
     bool wants_more() const noexcept override { return !outlet_.has_failed(); }
     /// The program has been read; one without an end gets it here. The first failure, if any.
     Result<void> finish();

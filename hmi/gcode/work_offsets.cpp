@@ -86,6 +86,7 @@ void WorkOffsets::set_shift(const Position& machine, AxisMask axes, const Positi
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         if ((axes & mask_of(axis)) != 0) shift_[axis] = base[axis] - program[axis];
     kept_shift_ = shift_;
+    is_shifted_ = true;
     refresh();
 }
 
@@ -96,11 +97,13 @@ void WorkOffsets::clear_shift() noexcept {
 
 void WorkOffsets::suspend_shift() noexcept {
     shift_ = {};
+    is_shifted_ = false;
     refresh();
 }
 
 void WorkOffsets::restore_shift() noexcept {
     shift_ = kept_shift_;
+    is_shifted_ = true;
     refresh();
 }
 

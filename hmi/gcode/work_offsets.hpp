@@ -19,6 +19,12 @@ public:
     /// In machine coordinates, of a pair of X and Y in program coordinates that `to_machine` would place.
     bool is_turned() const noexcept { return systems_[active_].rotation_deg != 0.0; }
 
+    const Position& origin(std::size_t system) const noexcept { return systems_[system].origin; }
+    double rotation_deg(std::size_t system) const noexcept { return systems_[system].rotation_deg; }
+    /// Of G92, also while it is suspended.
+    const Position& kept_shift() const noexcept { return kept_shift_; }
+    bool is_shifted() const noexcept { return is_shifted_; }
+    bool has_tool_length() const noexcept { return tool_ != Position{}; }
     std::size_t active() const noexcept { return active_; }
     void select(std::size_t system) noexcept;
     void set_origin(std::size_t system, std::size_t axis, double origin) noexcept;
@@ -49,6 +55,7 @@ private:
     std::size_t active_ = 0;
     Position shift_{};
     Position kept_shift_{};
+    bool is_shifted_ = false;
     Position tool_{};
     // Calculated from them.
     Position sum_{};

@@ -28,8 +28,10 @@ public:
         posix_spawnattr_setsigdefault(&attributes_, &all_by_default);
         posix_spawnattr_setsigmask(&attributes_, &none_blocked);
         posix_spawnattr_setpgroup(&attributes_, 0);
+        // A session's leader leads a group, too, and cannot be put into one.
+        const int own = start.has_own_session ? POSIX_SPAWN_SETSID : POSIX_SPAWN_SETPGROUP;
         posix_spawnattr_setflags(&attributes_,
-                                 POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+                                 static_cast<short>(POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | own));
     }
     ~SpawnSetup() {
         posix_spawn_file_actions_destroy(&actions_);

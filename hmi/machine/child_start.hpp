@@ -19,6 +19,7 @@ struct ChildStart {
     int output = -1;                     ///< descriptor of its standard output
     std::optional<int> errors = {};      ///< descriptor of its standard error; nothing: ours
     std::vector<int> inherited = {};     ///< descriptors that it has under the same number
+    bool has_own_session = false;        ///< no end of our terminal reaches it
 };
 
 /// ErrorCode::no_core when the system refuses.

@@ -60,7 +60,7 @@ std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::strin
 
 }  // namespace
 
-std::optional<std::string> find_core_program() {
+std::optional<std::string> find_program(const std::string& name) {
     namespace fs = std::filesystem;
     std::vector<fs::path> folders;
     std::error_code error;
@@ -72,11 +72,15 @@ std::optional<std::string> find_core_program() {
             folders.emplace_back(entry.empty() ? "." : entry);
     }
     for (const fs::path& folder : folders) {
-        const fs::path candidate = folder / kProgramName;
+        const fs::path candidate = folder / name;
         if (fs::is_regular_file(candidate, error) && access(candidate.c_str(), X_OK) == 0)
             return candidate.string();
     }
     return std::nullopt;
+}
+
+std::optional<std::string> find_core_program() {
+    return find_program(kProgramName);
 }
 
 CoreProcess::CoreProcess(pid_t pid, UniqueFd output, const CoreLaunch& launch)

@@ -37,6 +37,8 @@ struct CoreLaunch {
     bool is_private = false;  ///< the segment is removed when the core has ended
 };
 
+/// The path of a program of ours: beside the running program, else in PATH. Nothing when there is none.
+std::optional<std::string> find_program(const std::string& name);
 /// The path of psicarve-rtcore: beside the running program, else in PATH. Nothing when there is none.
 std::optional<std::string> find_core_program();
 

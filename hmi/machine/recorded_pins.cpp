@@ -78,6 +78,14 @@ Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, con
     return made;
 }
 
+Result<std::unique_ptr<RecordedPins>> RecordedPins::start_file(MachineLink& link,
+                                                               const std::string& trace_path) {
+    std::unique_ptr<RecordedPins> made{new RecordedPins{link}};
+    if (const auto begun = made->begin(trace_path); !begun) return begun.error();
+    made->thread_ = std::thread{[self = made.get()] { self->read_pieces(); }};
+    return made;
+}
+
 /// The core comes first: an existing file in the trace's place stays as it is when the core refuses.
 Result<void> RecordedPins::begin(const std::string& trace_path) {
     renew();
@@ -108,15 +116,13 @@ Result<void> RecordedPins::ask(RecordingForm form) {
     return link_->send(command);
 }
 
-Result<verify::VerifyReport> RecordedPins::finish() {
+void RecordedPins::end() {
     phase_.store(ask(RecordingForm::none) ? Phase::ending : Phase::given_up);
     if (thread_.joinable()) thread_.join();
-    auto report = verification_->finish();
-    if (is_whole_) {
-        if (file_) file_->flush();
-        if (file_) trace_failure_ = file_->take_error();
-        return report;
-    }
+}
+
+/// Pieces were lost.
+Error RecordedPins::keep_failure() {
     const Error lost{ErrorCode::machine_refused,
                      pieces_.lost() > 0
                          ? "the pins came faster than this computer could take them from the core"
@@ -126,6 +132,24 @@ Result<verify::VerifyReport> RecordedPins::finish() {
         trace_failure_ = Error{lost.code, "there is no whole trace, and so none: " + lost.message};
     }
     return lost;
+}
+
+Result<verify::VerifyReport> RecordedPins::finish() {
+    end();
+    auto report = verification_->finish();
+    if (!is_whole_) return keep_failure();
+    if (file_) file_->flush();
+    if (file_) trace_failure_ = file_->take_error();
+    return report;
+}
+
+Result<void> RecordedPins::finish_file() {
+    end();
+    if (!is_whole_) (void)keep_failure();
+    if (is_whole_) file_->flush();
+    if (is_whole_) trace_failure_ = file_->take_error();
+    if (trace_failure_) return *trace_failure_;
+    return {};
 }
 
 void RecordedPins::renew() noexcept {
@@ -165,7 +189,7 @@ void RecordedPins::hand_on(const RecordingPiece& piece) {
         return;
     }
     const std::size_t count = std::min<std::size_t>(piece.bytes, sizeof piece.data);
-    write_all(pipe_.get(), {piece.data, count}, [this] { renew(); });
+    if (verification_) write_all(pipe_.get(), {piece.data, count}, [this] { renew(); });
     if (file_) write_file({piece.data, count});
 }
 

@@ -34,12 +34,16 @@ public:
                                                        const Profile& profile, const std::string& trace_path,
                                                        verify::Verifier::Follower follower = {},
                                                        FileJob file_job = FileJob::carried);
+    /// The same into a file alone: nothing is verified, no job is carried.
+    static Result<std::unique_ptr<RecordedPins>> start_file(MachineLink& link, const std::string& trace_path);
     ~RecordedPins();
     RecordedPins(const RecordedPins&) = delete;
     RecordedPins& operator=(const RecordedPins&) = delete;
 
     /// Ends the recording and returns the verification; an error when pieces were lost.
     Result<verify::VerifyReport> finish();
+    /// Instead of finish(), of a file alone: why it is not complete.
+    Result<void> finish_file();
     /// After finish().
     const verify::CarvedSurface& surface() const noexcept { return verification_->surface(); }
     /// After finish(): why there is no complete trace file, if one was asked for.
@@ -49,6 +53,8 @@ private:
     explicit RecordedPins(MachineLink& link) noexcept;
     Result<void> begin(const std::string& trace_path);
     Result<void> ask(RecordingForm form);
+    void end();
+    Error keep_failure();
     void read_pieces();
     int take_pieces();
     void hand_on(const RecordingPiece& piece);

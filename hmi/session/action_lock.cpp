@@ -12,8 +12,30 @@ namespace {
 using S = MachineState;
 using Lock = std::optional<Phrase>;
 
+/// A program that is held for good.
+bool is_broken_off(const MachineView& machine) noexcept {
+    return machine.runs_program() && is_for_good(machine.program.hold);
+}
+
+/// Where a program runs, the words that differ from those of a job.
+Lock motion_lock_of_program(const MachineView& machine) {
+    if (is_broken_off(machine)) return phrase("Locked on hold: stop");
+    if (machine.state() == S::carving || machine.state() == S::holding)
+        return phrase("Locked while a program runs");
+    return std::nullopt;
+}
+
+Lock start_lock_of_program(const MachineView& machine) {
+    if (is_broken_off(machine)) return phrase("Start: on hold; only Stop is left");
+    if (machine.state() == S::carving) return phrase("Start: a program runs");
+    return std::nullopt;
+}
+
 /// The conditions of any motion from rest.
 Lock motion_lock(const MachineView& machine) {
+    if (machine.runs_program()) {
+        if (Lock lock = motion_lock_of_program(machine)) return lock;
+    }
     switch (machine.state()) {
         case S::alarm:
         case S::backing_off:
@@ -78,6 +100,9 @@ Lock preflight_lock(const MachineView& machine, const OpenJobView& job) {
 }
 
 Lock start_lock(const MachineView& machine, const OpenJobView& job) {
+    if (machine.runs_program()) {
+        if (Lock lock = start_lock_of_program(machine)) return lock;
+    }
     switch (machine.state()) {
         case S::alarm:
         case S::backing_off:
@@ -168,12 +193,16 @@ Lock slice_lock(const OpenJobView& job) {
 }
 
 Lock hold_lock(const MachineView& machine) {
-    if (machine.state() == S::carving) return std::nullopt;
+    const bool starves = machine.runs_program() && machine.program.hold == ProgramHold::starved;
+    if (machine.state() == S::carving || starves) return std::nullopt;
     if (machine.state() == S::held || machine.state() == S::holding) return phrase("Hold: on hold already");
     return phrase("Hold: nothing is carved");
 }
 
 Lock resume_lock(const MachineView& machine) {
+    if (is_broken_off(machine)) return phrase("Resume: nothing is left of the program; stop");
+    if (machine.runs_program() && machine.program.hold == ProgramHold::starved)
+        return phrase("Resume: the program goes on by itself when more of it comes");
     if (machine.state() == S::held || machine.state() == S::holding) return std::nullopt;
     return phrase("Resume: not on hold");
 }

@@ -7,6 +7,7 @@
 #include "hmi/phrase/axis_letter.hpp"
 #include "hmi/report/lost_steps.hpp"
 #include "hmi/session/display_text.hpp"
+#include "hmi/session/program_phrase.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::session {
@@ -69,6 +70,7 @@ void add_way_back(const MachineView& machine, AlarmText& text) {
     } else if (!unsure.empty()) {
         text.steps.push_back(phrase("Home all"));
     }
+    if (machine.is_alarm_of_program) return text.steps.push_back(program_way_on(machine.program));
     const CoreStatus& status = *machine.status;
     if (status.points_done == 0 || status.points_done >= status.points_total) return;
     if (machine.resumable_layer && status.is_dry == 0) {

@@ -52,8 +52,13 @@ void CarvingWatch::refresh() {
     }
     const auto& status = machine_.view().status;
     if (!job_ || !status) return machine_.skip_increments();
-    // A dry run carves nothing: the piece stays as it is.
-    if (status->is_dry != 0) return machine_.skip_increments();
+    // A dry run carves nothing, a program another piece: this one stays as it is.
+    if (status->is_dry != 0 || machine_.view().runs_program()) {
+        ran_job_ = false;
+        machine_.skip_increments();
+        lost_ = machine_.lost_increments();
+        return;
+    }
     if (status->job_start_tick != job_start_tick_) {
         if (job_start_tick_ != 0) make_blank();
         job_start_tick_ = status->job_start_tick;
@@ -67,15 +72,16 @@ void CarvingWatch::refresh() {
 
 void CarvingWatch::take_increments(const CoreStatus& status) {
     // A jogged head cuts nothing, its spindle stands still; the increments do not show that.
-    const bool runs = runs_job(status.state);
+    const bool runs = machine_.view().runs_job();
     const bool was_at_job = runs || ran_job_;
     ran_job_ = runs;
     // Increments before this start belong to another piece.
     machine_.read_increments([&](const IncrementEntry& entry) {
         if (job_start_tick_ == 0 || entry.tick < job_start_tick_) return;
-        record_->take(entry);
         const bool is_of_job = status.job_end_tick != 0 ? entry.tick <= status.job_end_tick : was_at_job;
-        if (piece_ && is_of_job) piece_->take(entry);
+        if (!is_of_job) return;
+        record_->take(entry);
+        if (piece_) piece_->take(entry);
     });
     const std::uint64_t lost = machine_.lost_increments();
     const bool has_lost = std::exchange(lost_, lost) != lost;

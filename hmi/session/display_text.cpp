@@ -7,6 +7,7 @@
 
 #include "hmi/phrase/axis_letter.hpp"
 #include "hmi/session/lost_core.hpp"
+#include "hmi/session/program_phrase.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::session {
@@ -49,8 +50,9 @@ bool is_dry(const MachineView& machine) {
     return machine.status->is_dry != 0;
 }
 
-/// The place of the run in the job.
+/// The place of the run in the job, or in the program.
 Phrase place_of(const MachineView& machine, std::uint32_t layer_count) {
+    if (machine.runs_program()) return program_place(machine.program);
     if (!is_dry(machine)) return layer_of(machine, layer_count);
     if (layer_count == 0) return phrase("Dry run");
     return phrase("Dry run, layer %1 of %2", std::to_string(std::min(machine.status->layer + 1, layer_count)),
@@ -136,6 +138,7 @@ StateText state_text(const MachineView& machine, std::uint32_t layer_count) {
                     is_dry(machine) ? phrase("Dry run: at its beginning") : phrase("At the first point"),
                     Tone::run};
         case S::carving:
+            if (machine.runs_program()) return {phrase("PROGRAM"), program_place(machine.program), Tone::run};
             return {is_dry(machine) ? phrase("DRY RUN") : phrase("CARVING"), layer_of(machine, layer_count),
                     Tone::run};
         case S::holding:
@@ -168,7 +171,7 @@ bool is_cut_short(const MachineView& machine) {
 }
 
 double done_ratio(const MachineView& machine) {
-    if (!machine.status || machine.status->points_total == 0) return -1.0;
+    if (!machine.status || machine.runs_program() || machine.status->points_total == 0) return -1.0;
     return static_cast<double>(machine.status->points_done) /
            static_cast<double>(machine.status->points_total);
 }
@@ -194,13 +197,14 @@ std::optional<double> planned_seconds(const MachineView& machine) {
 }
 
 bool is_time_about(const MachineView& machine) {
-    return machine.status && runs_job(machine.state()) && machine.status->is_left_forecast != 0;
+    return machine.status && machine.runs_job() && machine.status->is_left_forecast != 0;
 }
 
 Phrase time_text(const MachineView& machine, std::uint32_t layer_count) {
     if (!machine.status) return {};
     const S state = machine.state();
     if (!machine.is_heard()) return {};
+    if (machine.runs_program() || machine.is_alarm_of_program) return program_line(machine.program);
     if (is_cut_short(machine)) return phrase("stopped");
     if (is_left_undone(machine)) {
         const CoreStatus& status = *machine.status;
@@ -219,8 +223,14 @@ Phrase time_text(const MachineView& machine, std::uint32_t layer_count) {
 }
 
 Phrase work_text(const MachineView& machine, std::uint32_t layer_count, std::uint32_t point_count) {
-    if (!machine.status || !runs_job(machine.state()) || layer_count == 0) return {};
+    if (!machine.status) return {};
     const CoreStatus& status = *machine.status;
+    if (machine.runs_program()) {
+        Phrase text = phrase("%2 · override %1 %", std::to_string(status.override_percent));
+        text.inner.push_back(program_line(machine.program));
+        return text;
+    }
+    if (!machine.runs_job() || layer_count == 0) return {};
     const std::uint64_t ticks = status.tick - std::min(status.job_start_tick, status.tick);
     const double elapsed_s =
         static_cast<double>(ticks) * static_cast<double>(status.period_ns) / static_cast<double>(kNsPerS);
@@ -234,7 +244,8 @@ std::optional<std::chrono::system_clock::time_point> end_time(const MachineView&
                                                               std::chrono::system_clock::time_point now) {
     const S state = machine.state();
     const bool is_on_its_way = state == S::positioning || state == S::carving || state == S::finishing;
-    if (!machine.status || !machine.is_heard() || !is_on_its_way) return std::nullopt;
+    if (!machine.status || !machine.is_heard() || !is_on_its_way || machine.runs_program())
+        return std::nullopt;
     if (machine.status->is_virtual_clock != 0 || machine.status->seconds_left < 0.0) return std::nullopt;
     const std::chrono::duration<double> left{machine.status->seconds_left};
     return now + std::chrono::duration_cast<std::chrono::system_clock::duration>(left);
@@ -258,8 +269,9 @@ JobTimes job_times(const MachineView& machine, bool is_cores_job, double least_s
     JobTimes times;
     // The plan of a core that has ended is no longer valid.
     const bool is_told = machine.is_heard() && machine.status && machine.status->points_total != 0;
-    const bool is_running = is_told && runs_job(machine.state());
-    if (is_told && machine.status->seconds_left >= 0.0 && (is_running || is_cores_job)) {
+    const bool is_running = is_told && machine.runs_job();
+    if (is_told && !machine.runs_program() && machine.status->seconds_left >= 0.0 &&
+        (is_running || is_cores_job)) {
         times.time = is_running ? left_text(*machine.status)
                                 : phrase("%1 planned", clock_text(machine.status->seconds_left));
     } else if (planned) {

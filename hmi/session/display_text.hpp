@@ -37,10 +37,10 @@ StateText state_text(const MachineView& machine, std::uint32_t layer_count);
 /// The latched alarm ended the run of a job: not an alarm that came after the run, nor one at rest.
 bool is_cut_short(const MachineView& machine);
 
-/// The share of the job that is carved; negative: there is none.
+/// The share of the job that is carved; negative: there is none, or a program runs.
 double done_ratio(const MachineView& machine);
-/// "12:38 left", "about 12:38 left", "stopped", "stopped in layer 315" ... `layer_count`: of the core's job;
-/// 0: not known.
+/// "12:38 left", "about 12:38 left", "stopped", "stopped in layer 315", "Program, line 12" ... `layer_count`:
+/// of the core's job; 0: not known.
 Phrase time_text(const MachineView& machine, std::uint32_t layer_count = 0);
 /// Not all of the run is planned yet: part of its time is a forecast.
 bool is_time_about(const MachineView& machine);
@@ -51,7 +51,8 @@ bool tells_of_run(const MachineView& machine, const OpenJobView& job);
 /// The whole accepted job that was not begun, as the core plans it [s].
 std::optional<double> planned_seconds(const MachineView& machine);
 
-/// "Layer 315 / 500 · point 212 / 500 · elapsed 21:32 · override 100 %" while a job runs; else nothing.
+/// "Layer 315 / 500 · point 212 / 500 · elapsed 21:32 · override 100 %" while a job runs,
+/// "Program, line 12 · override 100 %" while a program does; else nothing.
 Phrase work_text(const MachineView& machine, std::uint32_t layer_count, std::uint32_t point_count);
 /// When the running job will be done, by the computer's clock; nothing when that is not known: none runs, it
 /// is on hold, or the core's clock is virtual.

@@ -28,8 +28,9 @@ bool is_cores_job(const MachineView& machine, const OpenJobView& job) noexcept {
     }
 }
 
+/// A job is, or a program; of a core that was lost in a program nothing of a job is offered either.
 bool is_under_way(const MachineView& machine) noexcept {
-    return machine.is_heard() && machine.status && runs_job(machine.state());
+    return machine.runs_program() || (machine.is_heard() && machine.status && machine.runs_job());
 }
 
 /// "Last good: layer 131, to its point 201."

@@ -10,7 +10,7 @@ namespace psicarve::session {
 
 JobPlace place_in_question(const MachineView& machine, const OpenJobView& job, bool knows_core_job) {
     if (job.state == OpenJobState::published) return JobPlace::machine;
-    const bool runs = machine.is_heard() && runs_job(machine.state());
+    const bool runs = machine.is_heard() && machine.runs_job();
     return runs && knows_core_job ? JobPlace::machine : JobPlace::desk;
 }
 
@@ -20,6 +20,7 @@ Phrase machine_job_note(const MachineView& machine) {
     if (status.job_generation == 0) return {};
     const std::string number = std::to_string(status.job_generation);
     if (status.points_done == 0) return phrase("no. %1", number);
+    if (machine.runs_program()) return phrase("no. %1", number);
     const std::string percent = std::to_string(static_cast<int>(100.0 * done_ratio(machine)));
     return status.is_dry != 0 ? phrase("no. %1, dry run %2 %", number, percent)
                               : phrase("no. %1, %2 % done", number, percent);

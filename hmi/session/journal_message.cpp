@@ -121,8 +121,10 @@ void tell_alarm(const JournalRecord& record, std::uint32_t core_pid, Message& to
                      ? phrase("Ticks were missed; motors may have lost steps.")
                      : std::move(text.detail);
     const std::string layer = place_of(facts, "layer");
-    if (layer.empty()) return;
-    Phrase placed = phrase("%3 (layer %1, point %2)", layer, place_of(facts, "point"));
+    const bool is_of_program = facts.number("line").has_value();
+    if (layer.empty() && !is_of_program) return;
+    Phrase placed = is_of_program ? phrase("%2 (line %1 of the program)", number_of(facts, "line"))
+                                  : phrase("%3 (layer %1, point %2)", layer, place_of(facts, "point"));
     placed.inner.push_back(std::move(told.what));
     told.what = std::move(placed);
 }
@@ -180,6 +182,25 @@ void tell_job_end(const JournalFacts& facts, Message& told) {
     }
 }
 
+/// Of one that broke off the machine was held behind that line until it was stopped.
+void tell_program_end(const JournalFacts& facts, Message& told) {
+    const std::string how = facts.text("how");
+    const std::string line = number_of(facts, "line");
+    const bool is_refused = how == "refused";
+    if (how == "done") {
+        told.what = phrase("Program done, up to line %1", line);
+    } else if (how == "alarm") {
+        told.what = phrase("Program ended by an alarm in line %1", line);
+    } else if (is_refused || how == "feeder lost") {
+        told.what = joined(phrase("Program broke off behind line %1", line),
+                           is_refused ? reason_of(facts, "program") : phrase("its reader was gone"));
+    } else {
+        told.what = phrase("Program stopped in line %1", line);
+        return;
+    }
+    if (how != "done") told.severity = Severity::warning;
+}
+
 void tell_job(const JournalRecord& record, Message& told) {
     const JournalFacts& facts = record.facts;
     if (record.what == "loaded") {
@@ -195,6 +216,10 @@ void tell_job(const JournalRecord& record, Message& told) {
                         : phrase("Carving began with layer %2: %1", facts.text("source"), layer);
     } else if (record.what == "ended") {
         tell_job_end(facts, told);
+    } else if (record.what == "program started") {
+        told.what = phrase("Program begun");
+    } else if (record.what == "program ended") {
+        tell_program_end(facts, told);
     } else {
         told.what = phrase("%1", record.what);
     }

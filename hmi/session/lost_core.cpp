@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "hmi/session/program_phrase.hpp"
+
 namespace psicarve::session {
 namespace {
 
@@ -28,8 +30,14 @@ bool is_silent(const MachineView& machine) noexcept {
     return machine.life == CoreLife::silent;
 }
 
+bool is_within_program(const MachineView& machine) noexcept {
+    return machine.runs_program() ||
+           (machine.program.is_running != 0 && !machine.heard_state && is_told_by_guard(machine));
+}
+
 /// Some of the job was carved, and not all.
 bool is_within_job(const MachineView& machine) noexcept {
+    if (is_within_program(machine)) return false;
     const CoreStatus& status = *machine.status;
     const S state = own_state(machine);
     const bool may_run = runs_job(state) || (!machine.heard_state && is_told_by_guard(machine));
@@ -38,6 +46,11 @@ bool is_within_job(const MachineView& machine) noexcept {
 
 Phrase lost_title(const MachineView& machine) {
     const bool silent = is_silent(machine);
+    if (is_within_program(machine)) {
+        const std::string line = line_text(machine.program);
+        return silent ? phrase("The core is silent, in line %1 of its program", line)
+                      : phrase("The core has ended in line %1 of its program", line);
+    }
     if (is_within_job(machine)) {
         const std::string layer = std::to_string(machine.status->layer + 1);
         const std::string point = std::to_string(machine.status->point + 1);
@@ -59,7 +72,8 @@ Phrase outputs_sentence(const MachineView& machine) {
 
 Phrase lost_detail(const MachineView& machine) {
     const Phrase outputs = outputs_sentence(machine);
-    const bool may_be_in_piece = is_within_job(machine) && machine.status->is_dry == 0;
+    const bool may_be_in_piece =
+        is_within_program(machine) || (is_within_job(machine) && machine.status->is_dry == 0);
     if (!may_be_in_piece) return Phrase{"%1", {}, {outputs}};
     return Phrase{"%1 %2", {}, {outputs, phrase("The heads may stand in the piece.")}};
 }
@@ -71,8 +85,9 @@ void add_new_core(const MachineView& machine, AlarmText& text) {
     text.steps.push_back(phrase("Home all"));
 }
 
-/// From the checkpoint, which outlives its core.
+/// From the checkpoint, which outlives its core; there is none of a program.
 void add_way_on(const MachineView& machine, AlarmText& text) {
+    if (is_within_program(machine)) return text.steps.push_back(program_way_on(machine.program));
     if (!is_within_job(machine) || machine.status->is_dry != 0) return;
     if (machine.resumable_layer) {
         text.steps.push_back(phrase("Continue from layer %1", std::to_string(*machine.resumable_layer + 1)));
@@ -124,7 +139,8 @@ bool is_lost_at_work(const MachineView& machine) noexcept {
         case S::alarm:
         case S::backing_off:
             // A window that comes too late for the core's own state has its guard's.
-            return !machine.heard_state && is_told_by_guard(machine) && is_within_job(machine);
+            return !machine.heard_state && is_told_by_guard(machine) &&
+                   (is_within_job(machine) || is_within_program(machine));
         default:
             return true;
     }

@@ -7,6 +7,7 @@
 
 #include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/saved_piece.hpp"
+#include "shared/segment/segment_program.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -132,10 +133,12 @@ void MachineSession::look() {
     }
     has_looked_ = true;
     if (pid && view_.port_name.empty()) view_.port_name = link_->port_name();
+    const ProgramStatus program_before = program_report(link_->segment()).status;
     const auto status = link_->last_status();
     if (status && status->heartbeat != heartbeat_) {
         heartbeat_ = status->heartbeat;
         heartbeat_changed_ = now;
+        take_program(program_before, *status);
         take_status(*status, pid.has_value());
     }
     const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
@@ -143,6 +146,19 @@ void MachineSession::look() {
     find_profile();
     look_for_profile();
     look_for_checkpoint();
+}
+
+/// The core writes it before the status that goes with it: where that is the older one, a program that has
+/// ended meanwhile still ran.
+void MachineSession::take_program(const ProgramStatus& before, const CoreStatus& status) {
+    const ProgramReport report = program_report(link_->segment());
+    const bool ran = view_.runs_program();
+    view_.program = report.status;
+    if (before.program == report.status.program && before.is_running != 0) view_.program.is_running = 1;
+    view_.program_refusal.reset();
+    if (is_for_good(report.status.hold) && report.refusal) view_.program_refusal = report.refusal->said;
+    const bool is_alarm = status.state == MachineState::alarm || status.state == MachineState::backing_off;
+    view_.is_alarm_of_program = is_alarm && (ran || view_.is_alarm_of_program);
 }
 
 void MachineSession::take_status(const CoreStatus& status, bool has_core) {

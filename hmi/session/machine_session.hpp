@@ -20,6 +20,7 @@
 #include "hmi/session/start_intent.hpp"
 #include "hmi/session/tick_health.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/segment/segment_program.hpp"
 #include "shared/segment/shared_record.hpp"
 
 namespace psicarve::session {
@@ -104,6 +105,10 @@ public:
     std::uint64_t lost_increments() const noexcept { return increments_ ? increments_->lost() : 0; }
     /// Skips all increments reported so far.
     void skip_increments();
+    /// The program that runs, or ran last, by whichever process.
+    ProgramReport program() const noexcept {
+        return link_ ? program_report(link_->segment()) : ProgramReport{};
+    }
     JogHand& jog() noexcept { return jog_; }
 
 private:
@@ -118,6 +123,7 @@ private:
     void keep_attached();
     std::optional<std::uint32_t> core_now() noexcept;
     void look();
+    void take_program(const ProgramStatus& before, const CoreStatus& status);
     void take_status(const CoreStatus& status, bool has_core);
     void find_profile();
     void look_for_profile();

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "shared/machine/machine_state.hpp"
+#include "shared/machine/program_status.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/profile/profile.hpp"
 #include "shared/record/saved_checkpoint.hpp"
@@ -72,12 +74,22 @@ struct MachineView {
     std::optional<FoundCheckpoint> saved_piece{};
     /// The core's own last state; `status` may have its guard's instead. Nothing: none was heard.
     std::optional<MachineState> heard_state;
+    /// The program in G-code that ran last, as read with `status`; also of a core that has ended.
+    ProgramStatus program{};
+    std::optional<psicarve::Message> program_refusal{};  ///< why it is held for good
+    bool is_alarm_of_program = false;                    ///< the latched alarm came while it ran
     /// An emergency stop was asked for here and no core heard it; until the operator has read that.
     bool unheard_stop = false;
     std::string segment_problem;  ///< why a segment that is there cannot be used; else empty
 
     bool is_heard() const noexcept { return life == CoreLife::alive || life == CoreLife::late; }
     MachineState state() const noexcept { return status ? status->state : MachineState::off; }
+    /// What runs, or ran when the core was heard last, is a program: the status tells of a job that ran
+    /// before it.
+    bool runs_program() const noexcept {
+        return program.is_running != 0 && psicarve::runs_job(heard_state.value_or(state()));
+    }
+    bool runs_job() const noexcept { return psicarve::runs_job(state()) && !runs_program(); }
     bool is_homed(Axis axis) const noexcept {
         return status && (status->homed_mask >> index_of(axis) & 1U) != 0;
     }

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "hmi/phrase/axis_letter.hpp"
+#include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/alarm_history.hpp"
 #include "hmi/session/alarm_text.hpp"
 #include "hmi/session/lost_core.hpp"
+#include "hmi/session/program_phrase.hpp"
 #include "hmi/session/saved_piece.hpp"
 
 namespace psicarve::session {
@@ -23,6 +25,26 @@ Message message(Severity severity, Phrase what, Phrase remedy = {}) {
 Message lost_message(const MachineView& machine) {
     AlarmText text = lost_core_text(machine);
     return message(Severity::alarm, std::move(text.title), std::move(text.steps.front()));
+}
+
+/// Each block of a program in single block would be a message: those are for the status alone.
+void tell_program(const MachineView& before, const MachineView& after, std::vector<Message>& told) {
+    const ProgramStatus& program = after.program;
+    const bool is_on = after.runs_program();
+    if (is_on && !before.runs_program()) told.push_back(message(Severity::info, phrase("Program begun")));
+    if (!is_on && before.runs_program() && after.state() != MachineState::alarm) {
+        told.push_back(message(Severity::info, program.is_done != 0
+                                                   ? phrase("Program done, up to line %1", line_text(program))
+                                                   : phrase("Program ended in line %1", line_text(program))));
+    }
+    if (!is_on || program.hold == before.program.hold || program.hold == ProgramHold::single) return;
+    Phrase why = hold_phrase(program.hold);
+    if (why.is_empty()) return;
+    const bool is_broken = is_for_good(program.hold);
+    if (is_broken && after.program_refusal) why = message_phrase(*after.program_refusal);
+    told.push_back(message(is_broken ? Severity::warning : Severity::info,
+                           joined(phrase("Program held in line %1", line_text(program)), std::move(why)),
+                           is_broken ? phrase("Nothing is left of it but to stop") : Phrase{}));
 }
 
 Message end_message(const MachineView& before) {
@@ -138,6 +160,7 @@ std::vector<Message> changes_between(const MachineView& before, const MachineVie
     const bool is_alarm = after.state() == MachineState::alarm;
     if (!is_alarm && before.state() != after.state())
         told.push_back(message(Severity::info, phrase("Machine: %1", name_of(after.state()))));
+    tell_program(before, after, told);
     if (!is_alarm) tell_homed(*before.status, *after.status, told);
     tell_job(*before.status, *after.status, told);
     return told;

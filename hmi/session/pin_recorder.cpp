@@ -123,7 +123,7 @@ void PinRecorder::poll(const MachineView& machine) {
         is_one_whole_run_ = ++runs_ == 1 && *is_whole;
         run_start_tick_ = now.job_start_tick;
     }
-    const bool is_over = runs_ != 0 && !runs_job(now.state);
+    const bool is_over = runs_ != 0 && !machine.runs_job();
     if (!is_over) return;
     if (now.points_done != now.points_total || now.job_end_tick == 0) is_one_whole_run_ = false;
     if (is_one_whole_run_) end();  // the run is complete: no need to be asked

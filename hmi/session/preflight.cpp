@@ -174,7 +174,7 @@ Check override_check(const MachineView& machine) {
 
 std::vector<Check> preflight_checks(const MachineView& machine, const OpenJobView& job) {
     // While a job runs the checks are about that one, whatever has been opened or sliced since.
-    const OpenJobView shown = runs_job(machine.state()) ? OpenJobView{OpenJobState::published} : job;
+    const OpenJobView shown = machine.runs_job() ? OpenJobView{OpenJobState::published} : job;
     std::vector<Check> checks{core_check(machine)};
     if (!machine.status || !machine.is_heard()) return checks;
     checks.push_back(alarm_check(machine));

@@ -39,7 +39,7 @@ void RunWatch::note(const MachineView& machine, Clock::time_point now) {
     if (run_ && !is_over_) {
         run_->after = status;
         run_->wall_seconds = std::chrono::duration<double>(now - began_).count();
-        is_over_ = !runs_job(status.state);
+        is_over_ = !machine.runs_job();
     }
     last_ = status;
 }

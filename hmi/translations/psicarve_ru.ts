@@ -588,6 +588,14 @@
             <translation>%1–%2°, через 0° (%3 %)</translation>
         </message>
         <message>
+            <source>%2 (line %1 of the program)</source>
+            <translation>%2 (строка %1 программы)</translation>
+        </message>
+        <message>
+            <source>%2 · override %1 %</source>
+            <translation>%2 · коррекция %1 %</translation>
+        </message>
+        <message>
             <source>%3 (layer %1, point %2)</source>
             <translation>%3 (слой %1, точка %2)</translation>
         </message>
@@ -678,6 +686,10 @@
         <message>
             <source>A new blank has to begin with layer 1.</source>
             <translation>Новую заготовку надо начинать со слоя 1.</translation>
+        </message>
+        <message>
+            <source>A program that runs keeps what it was started with</source>
+            <translation>Идущая программа сохраняет то, с чем она запущена</translation>
         </message>
         <message>
             <source>A recording is being opened</source>
@@ -908,6 +920,10 @@
             <translation>Было</translation>
         </message>
         <message>
+            <source>Before its first line</source>
+            <translation>Перед первой строкой</translation>
+        </message>
+        <message>
             <source>Before this window was there: %1</source>
             <translation>До этого окна: %1</translation>
         </message>
@@ -976,8 +992,20 @@
             <translation>R заготовки</translation>
         </message>
         <message>
+            <source>Block asked for: %1</source>
+            <translation>Запрошен кадр: %1</translation>
+        </message>
+        <message>
+            <source>Block delete</source>
+            <translation>Пропуск кадров</translation>
+        </message>
+        <message>
             <source>Bodies</source>
             <translation>Тела</translation>
+        </message>
+        <message>
+            <source>Both heads go out to the end of their travel.</source>
+            <translation>Обе головки отходят наружу до конца хода.</translation>
         </message>
         <message>
             <source>Both heads in</source>
@@ -1070,6 +1098,10 @@
         <message>
             <source>Cancel verification</source>
             <translation>Отменить сверку</translation>
+        </message>
+        <message>
+            <source>Cancel: nothing is being read</source>
+            <translation>Отмена: ничего не читается</translation>
         </message>
         <message>
             <source>Carved against wanted: blue too deep, brown material left</source>
@@ -1168,6 +1200,10 @@
             <translation>Закрыто: %1 — не опубликовано и не сохранено</translation>
         </message>
         <message>
+            <source>Column %1: %2</source>
+            <translation>Столбец %1: %2</translation>
+        </message>
+        <message>
             <source>Command</source>
             <translation>Команда</translation>
         </message>
@@ -1198,6 +1234,10 @@
         <message>
             <source>Comparison</source>
             <translation>Сравнение</translation>
+        </message>
+        <message>
+            <source>Confirm and start</source>
+            <translation>Подтвердить и пустить</translation>
         </message>
         <message>
             <source>Continue from layer %1</source>
@@ -1234,6 +1274,14 @@
         <message>
             <source>Dark</source>
             <translation>Тёмная</translation>
+        </message>
+        <message>
+            <source>Decode</source>
+            <translation>Разобрать</translation>
+        </message>
+        <message>
+            <source>Decode: no program is open</source>
+            <translation>Разобрать: программа не открыта</translation>
         </message>
         <message>
             <source>Default</source>
@@ -1389,6 +1437,10 @@
 ОСТАНОВ (F1)</translation>
         </message>
         <message>
+            <source>Each block is a program of its own: G21 G17 G90 G94 G54 G80 hold before it, without a feed, and the spindle is off behind it.</source>
+            <translation>Каждый кадр — отдельная программа: перед ним действуют G21 G17 G90 G94 G54 G80, подача не задана, после него шпиндель выключен.</translation>
+        </message>
+        <message>
             <source>Emergency stop</source>
             <translation>Аварийный останов</translation>
         </message>
@@ -1429,8 +1481,12 @@
             <translation>Завершите psicarve-rtcore, процесс %1</translation>
         </message>
         <message>
-            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
-            <translation>Завершает задание по порядку: головки наружу, шпиндель выключен (Shift+Esc)</translation>
+            <source>Ends the job or program: heads out, spindle off (Shift+Esc)</source>
+            <translation>Завершает задание или программу: головки наружу, шпиндель выключен (Shift+Esc)</translation>
+        </message>
+        <message>
+            <source>Ends the program in order: heads out, spindle off (Shift+Esc)</source>
+            <translation>Завершает программу по порядку: головки наружу, шпиндель выключен (Shift+Esc)</translation>
         </message>
         <message>
             <source>English</source>
@@ -1475,7 +1531,7 @@ Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
-Ctrl+1 … 7  tabs
+Ctrl+1 … 8  tabs
 Ctrl+L  layer number
 F6  next pane
 F10  menu
@@ -1490,7 +1546,7 @@ Ctrl+0, Ctrl+−, Ctrl++  коррекция подачи
 Ctrl+O  открыть
 F5  нарезать
 F9  включить перемещение с клавиатуры
-Ctrl+1 … 7  вкладки
+Ctrl+1 … 8  вкладки
 Ctrl+L  номер слоя
 F6  следующая панель
 F10  меню
@@ -1581,6 +1637,10 @@ F12  этот список</translation>
             <translation>Папка для пакета поддержки</translation>
         </message>
         <message>
+            <source>Follow the line</source>
+            <translation>Следить за строкой</translation>
+        </message>
+        <message>
             <source>Follow the machine</source>
             <translation>Следить за станком</translation>
         </message>
@@ -1631,6 +1691,10 @@ F12  этот список</translation>
         <message>
             <source>From layer %1</source>
             <translation>Со слоя %1</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>Со строки</translation>
         </message>
         <message>
             <source>From now on</source>
@@ -1823,6 +1887,14 @@ F12  этот список</translation>
         <message>
             <source>Hold: on hold already</source>
             <translation>Пауза: уже на паузе</translation>
+        </message>
+        <message>
+            <source>Holds at M1</source>
+            <translation>Останавливается на M1</translation>
+        </message>
+        <message>
+            <source>Holds behind each block; Resume goes on</source>
+            <translation>Пауза после каждого кадра; «Продолжить» ведёт дальше</translation>
         </message>
         <message>
             <source>Holds every pulse against the job</source>
@@ -2157,6 +2229,10 @@ N, Shift+N  следующая, предыдущая запись
 Стрелки, PgUp, PgDn, Home, End  по шкале времени</translation>
         </message>
         <message>
+            <source>Keeps the line that runs in sight</source>
+            <translation>Держит исполняемую строку на виду</translation>
+        </message>
+        <message>
             <source>Key</source>
             <translation>Ключ</translation>
         </message>
@@ -2277,6 +2353,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пусть работает</translation>
         </message>
         <message>
+            <source>Leaves out blocks that begin with /</source>
+            <translation>Пропускает кадры, начинающиеся с /</translation>
+        </message>
+        <message>
             <source>Leaves out the layers before it</source>
             <translation>Пропускает слои до него</translation>
         </message>
@@ -2349,6 +2429,22 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Концевики</translation>
         </message>
         <message>
+            <source>Line %1</source>
+            <translation>Строка %1</translation>
+        </message>
+        <message>
+            <source>Line %1, column %2</source>
+            <translation>Строка %1, столбец %2</translation>
+        </message>
+        <message>
+            <source>Line to begin with</source>
+            <translation>Строка, с которой начать</translation>
+        </message>
+        <message>
+            <source>Lines: %1, moves: %2, errors: %3, warnings: %4</source>
+            <translation>Строк: %1, перемещений: %2, ошибок: %3, предупреждений: %4</translation>
+        </message>
+        <message>
             <source>Live machine: %1</source>
             <translation>Станок: %1</translation>
         </message>
@@ -2362,11 +2458,19 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Locked on hold: resume or stop</source>
-            <translation>На паузе заперто: продолжите или остановите</translation>
+            <translation>Пауза: продолжите или остановите</translation>
+        </message>
+        <message>
+            <source>Locked on hold: stop</source>
+            <translation>Пауза: остаётся лишь «Стоп»</translation>
         </message>
         <message>
             <source>Locked until the alarm is reset</source>
             <translation>Заперто до сброса аварии</translation>
+        </message>
+        <message>
+            <source>Locked while a program runs</source>
+            <translation>Заперто, пока выполняется программа</translation>
         </message>
         <message>
             <source>Locked while an axis moves</source>
@@ -2423,6 +2527,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Lowest point of the model above the table; baked into a job's heights.</source>
             <translation>Нижняя точка модели над столом; входит в высоты задания.</translation>
+        </message>
+        <message>
+            <source>MDI</source>
+            <translation>MDI</translation>
         </message>
         <message>
             <source>MOVING</source>
@@ -2593,6 +2701,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Модели нет. Откройте её из меню или перетащите файл сюда.</translation>
         </message>
         <message>
+            <source>No program is open.</source>
+            <translation>Программа не открыта.</translation>
+        </message>
+        <message>
             <source>No tick by a real clock so far</source>
             <translation>Тактов по настоящим часам ещё не было</translation>
         </message>
@@ -2633,8 +2745,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нули не найдены, задание есть</translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation>Не сейчас</translation>
+        </message>
+        <message>
             <source>Not opened, as the machine's profile was not: %1</source>
             <translation>Не открыто, так как не открыт профиль станка: %1</translation>
+        </message>
+        <message>
+            <source>Not opened: %1</source>
+            <translation>Не открыто: %1</translation>
         </message>
         <message>
             <source>Not published</source>
@@ -2661,12 +2781,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ещё не нарезано.</translation>
         </message>
         <message>
+            <source>Nothing before this line moves anything.</source>
+            <translation>До этой строки ничего не движется.</translation>
+        </message>
+        <message>
             <source>Nothing differs from the built-in profile</source>
             <translation>Отличий от встроенного профиля нет</translation>
         </message>
         <message>
             <source>Nothing is carved closer to the axis.</source>
             <translation>Ближе к оси ничего не вырезается.</translation>
+        </message>
+        <message>
+            <source>Nothing is left of it but to stop</source>
+            <translation>Её можно только остановить</translation>
         </message>
         <message>
             <source>Nothing is left over</source>
@@ -2679,6 +2807,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Nothing is wrong.</source>
             <translation>Всё в порядке.</translation>
+        </message>
+        <message>
+            <source>Nothing moves in this plane.</source>
+            <translation>В этой плоскости ничего не движется.</translation>
         </message>
         <message>
             <source>Nothing was changed</source>
@@ -2745,6 +2877,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>На этой детали это займёт время, но ничего не срежет. Новую заготовку надо начинать со слоя 1.</translation>
         </message>
         <message>
+            <source>One block of G-code, run by Return</source>
+            <translation>Один кадр G-кода, исполняется по Enter</translation>
+        </message>
+        <message>
+            <source>One block; Return runs it</source>
+            <translation>Один кадр; Enter исполняет его</translation>
+        </message>
+        <message>
             <source>One layer</source>
             <translation>Один слой</translation>
         </message>
@@ -2769,6 +2909,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открыть профиль станка</translation>
         </message>
         <message>
+            <source>Open a program</source>
+            <translation>Открыть программу</translation>
+        </message>
+        <message>
+            <source>Open a program…</source>
+            <translation>Открыть программу…</translation>
+        </message>
+        <message>
             <source>Open in directions</source>
             <translation>Открыта в направлениях</translation>
         </message>
@@ -2789,12 +2937,12 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открыть задание: в этом снимке его нет</translation>
         </message>
         <message>
-            <source>Open model, job or recording</source>
-            <translation>Открыть модель, задание или запись</translation>
+            <source>Open model, job, program or recording</source>
+            <translation>Открыть модель, задание, программу или запись</translation>
         </message>
         <message>
-            <source>Open model, job or recording…</source>
-            <translation>Открыть модель, задание или запись…</translation>
+            <source>Open model, job, program or recording…</source>
+            <translation>Открыть модель, задание, программу или запись…</translation>
         </message>
         <message>
             <source>Open points</source>
@@ -2841,6 +2989,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Открывает запись ядра на моменте этой аварии; ничего не движется</translation>
         </message>
         <message>
+            <source>Optional stop</source>
+            <translation>Останов по выбору</translation>
+        </message>
+        <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
             <translation>Выход: вывод 1..9, 14, 16 или 17; 0: не подключён; минус: активный низкий.</translation>
         </message>
@@ -2851,6 +3003,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>POSITIONING</source>
             <translation>ПОДВОД</translation>
+        </message>
+        <message>
+            <source>PROGRAM</source>
+            <translation>ПРОГРАММА</translation>
         </message>
         <message>
             <source>Page faults, preemptions of the tick</source>
@@ -3041,6 +3197,66 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Профили (*.toml)</translation>
         </message>
         <message>
+            <source>Program</source>
+            <translation>Программа</translation>
+        </message>
+        <message>
+            <source>Program %1 of another process runs. %2</source>
+            <translation>Идёт программа %1 другого процесса. %2</translation>
+        </message>
+        <message>
+            <source>Program begun</source>
+            <translation>Программа начата</translation>
+        </message>
+        <message>
+            <source>Program broke off behind line %1</source>
+            <translation>Программа оборвалась после строки %1</translation>
+        </message>
+        <message>
+            <source>Program done, up to line %1</source>
+            <translation>Программа выполнена, до строки %1</translation>
+        </message>
+        <message>
+            <source>Program ended</source>
+            <translation>Программа закончилась</translation>
+        </message>
+        <message>
+            <source>Program ended by an alarm in line %1</source>
+            <translation>Программа прервана аварией в строке %1</translation>
+        </message>
+        <message>
+            <source>Program ended in line %1</source>
+            <translation>Программа закончилась в строке %1</translation>
+        </message>
+        <message>
+            <source>Program held in line %1</source>
+            <translation>Пауза программы в строке %1</translation>
+        </message>
+        <message>
+            <source>Program run</source>
+            <translation>Программа выполнена</translation>
+        </message>
+        <message>
+            <source>Program started: %1</source>
+            <translation>Программа пущена: %1</translation>
+        </message>
+        <message>
+            <source>Program stopped in line %1</source>
+            <translation>Программа остановлена в строке %1</translation>
+        </message>
+        <message>
+            <source>Program, before its first line</source>
+            <translation>Программа, перед первой строкой</translation>
+        </message>
+        <message>
+            <source>Program, line %1</source>
+            <translation>Программа, строка %1</translation>
+        </message>
+        <message>
+            <source>Programs in G-code (%1)</source>
+            <translation>Программы в G-коде (%1)</translation>
+        </message>
+        <message>
             <source>Progress</source>
             <translation>Ход работы</translation>
         </message>
@@ -3109,6 +3325,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Берёт это задание в окно вместо %1</translation>
         </message>
         <message>
+            <source>R1 %1 mm</source>
+            <translation>R1 %1 mm</translation>
+        </message>
+        <message>
+            <source>R1 / mm, Y upwards / mm</source>
+            <translation>R1 / mm, вверх Y / mm</translation>
+        </message>
+        <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
             <translation>R1 и R2 наружу, затем Y, затем Ψ к нулю (Ctrl+Home)</translation>
         </message>
@@ -3139,8 +3363,20 @@ N, Shift+N  следующая, предыдущая запись
 наружу</translation>
         </message>
         <message>
+            <source>R1 plane</source>
+            <translation>Плоскость R1</translation>
+        </message>
+        <message>
             <source>R1 step</source>
             <translation>R1 шаг</translation>
+        </message>
+        <message>
+            <source>R2 %1 mm</source>
+            <translation>R2 %1 mm</translation>
+        </message>
+        <message>
+            <source>R2 / mm, Y upwards / mm</source>
+            <translation>R2 / mm, вверх Y / mm</translation>
         </message>
         <message>
             <source>R2 direction</source>
@@ -3171,6 +3407,10 @@ N, Shift+N  следующая, предыдущая запись
             <source>R2 out</source>
             <translation>R2
 наружу</translation>
+        </message>
+        <message>
+            <source>R2 plane</source>
+            <translation>Плоскость R2</translation>
         </message>
         <message>
             <source>R2 stands %1 mm lower than R1 and is under the model in %2 of its layers: there it cuts what holds the model down to a radius of %3 mm.</source>
@@ -3233,8 +3473,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Читается файл …</translation>
         </message>
         <message>
+            <source>Reading the program: %1 %</source>
+            <translation>Чтение программы: %1 %</translation>
+        </message>
+        <message>
             <source>Reading the recording</source>
             <translation>Чтение записи</translation>
+        </message>
+        <message>
+            <source>Reads and judges the file once more, by the machine as it is now</source>
+            <translation>Читает и проверяет файл ещё раз, по нынешнему состоянию станка</translation>
         </message>
         <message>
             <source>Real time</source>
@@ -3393,6 +3641,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Продолжить: паузы нет</translation>
         </message>
         <message>
+            <source>Resume: nothing is left of the program; stop</source>
+            <translation>Продолжить: от программы ничего не осталось; остановите</translation>
+        </message>
+        <message>
+            <source>Resume: the program goes on by itself when more of it comes</source>
+            <translation>Продолжить: программа продолжится сама, когда поступит её продолжение</translation>
+        </message>
+        <message>
             <source>Roughing</source>
             <translation>Черновая</translation>
         </message>
@@ -3401,8 +3657,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Черновая обработка не может выдержать шаг %1 мм: слои задания отстоят на %2 мм.</translation>
         </message>
         <message>
+            <source>Run a program in G-code…</source>
+            <translation>Исполнить программу в G-коде…</translation>
+        </message>
+        <message>
             <source>Run before: to layer %1 (From layer %2).</source>
             <translation>Прошлая: до слоя %1 («Со слоя» %2).</translation>
+        </message>
+        <message>
+            <source>Run from line %1: first the machine does this</source>
+            <translation>Пуск со строки %1: сначала станок делает вот что</translation>
+        </message>
+        <message>
+            <source>Runs it as a process of its own: closing this window ends nothing</source>
+            <translation>Исполняет её отдельным процессом: закрытие окна ничего не завершает</translation>
         </message>
         <message>
             <source>Runs the core's own tick loop with nothing in the tick; touches no machine</source>
@@ -3665,6 +3933,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>С какого времени и каким инструментом — неизвестно: диск говорит уже о другой детали или другом слое.</translation>
         </message>
         <message>
+            <source>Single block</source>
+            <translation>Покадрово</translation>
+        </message>
+        <message>
             <source>Size</source>
             <translation>Размер</translation>
         </message>
@@ -3741,6 +4013,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Шпиндель выключен</translation>
         </message>
         <message>
+            <source>Spindle off, heads outside the blank; table and Y go as they would</source>
+            <translation>Шпиндель выключен, головки вне заготовки; стол и Y идут как обычно</translation>
+        </message>
+        <message>
             <source>Spindle off. Put a pin of known diameter on the axis, home, and bring %1 to it with the Jog panel, the last steps by hundredths, until the tip just touches: a slip of paper is held.</source>
             <translation>Шпиндель выключен. Поставьте на ось штифт известного диаметра, найдите ноль и подведите к нему %1 панелью ручного перемещения, последние шаги по сотым, пока острие не коснётся: полоска бумаги зажата.</translation>
         </message>
@@ -3793,6 +4069,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Запустите его снова; перед продолжением найдите нули</translation>
         </message>
         <message>
+            <source>Start program</source>
+            <translation>Пуск программы</translation>
+        </message>
+        <message>
             <source>Start psicarve-rtcore</source>
             <translation>Запустите psicarve-rtcore</translation>
         </message>
@@ -3809,8 +4089,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск, Один слой и Со слоя ничего не режут: стол и Y движутся как при резьбе, головки вне заготовки, шпиндель выключен</translation>
         </message>
         <message>
+            <source>Start: a dry run switches nothing; switch the spindle off first</source>
+            <translation>Пуск: холостой прогон ничего не переключает; сначала выключите шпиндель</translation>
+        </message>
+        <message>
             <source>Start: a job is being made</source>
             <translation>Пуск: задание составляется</translation>
+        </message>
+        <message>
+            <source>Start: a program runs</source>
+            <translation>Пуск: выполняется программа</translation>
+        </message>
+        <message>
+            <source>Start: a recording is shown; leave replay first</source>
+            <translation>Пуск: показана запись; сначала выйдите из просмотра</translation>
         </message>
         <message>
             <source>Start: already carving</source>
@@ -3821,8 +4113,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: проверяется выход</translation>
         </message>
         <message>
+            <source>Start: another program runs; stop it first</source>
+            <translation>Пуск: идёт другая программа; сначала остановите её</translation>
+        </message>
+        <message>
             <source>Start: axis %1 is not homed</source>
             <translation>Пуск: ноль оси %1 не найден</translation>
+        </message>
+        <message>
+            <source>Start: errors in the program: %1</source>
+            <translation>Пуск: ошибок в программе: %1</translation>
+        </message>
+        <message>
+            <source>Start: it was judged for another profile; decode it again</source>
+            <translation>Пуск: проверена по другому профилю; разберите её снова</translation>
         </message>
         <message>
             <source>Start: no job is published</source>
@@ -3831,6 +4135,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: no layer was finished</source>
             <translation>Пуск: ни один слой не закончен</translation>
+        </message>
+        <message>
+            <source>Start: no program is open</source>
+            <translation>Пуск: программа не открыта</translation>
+        </message>
+        <message>
+            <source>Start: on hold; only Stop is left</source>
+            <translation>Пуск: пауза; остаётся лишь «Стоп»</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -3853,6 +4165,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: идёт остановка</translation>
         </message>
         <message>
+            <source>Start: the core's profile is not known; open it on page Profile</source>
+            <translation>Пуск: профиль ядра неизвестен; откройте его на странице «Профиль»</translation>
+        </message>
+        <message>
             <source>Start: the drives are off; home all axes</source>
             <translation>Пуск: приводы отключены; найдите нуль всех осей</translation>
         </message>
@@ -3865,6 +4181,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: головки отводятся</translation>
         </message>
         <message>
+            <source>Start: the heads wait at the first point of a job; stop first</source>
+            <translation>Пуск: головки ждут у первой точки задания; сначала остановите</translation>
+        </message>
+        <message>
             <source>Start: the job is being published</source>
             <translation>Пуск: задание передаётся</translation>
         </message>
@@ -3875,6 +4195,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: the machine moves</source>
             <translation>Пуск: станок движется</translation>
+        </message>
+        <message>
+            <source>Start: the program ends in line %1</source>
+            <translation>Пуск: программа кончается в строке %1</translation>
+        </message>
+        <message>
+            <source>Start: the program is being read</source>
+            <translation>Пуск: программа читается</translation>
+        </message>
+        <message>
+            <source>Start: the program is on its way</source>
+            <translation>Пуск: программа уже в пути</translation>
         </message>
         <message>
             <source>State at the end</source>
@@ -4069,6 +4401,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Заготовка, глубины проходов и инструмент в масштабе</translation>
         </message>
         <message>
+            <source>The block is run.</source>
+            <translation>Кадр выполнен.</translation>
+        </message>
+        <message>
+            <source>The block runs.</source>
+            <translation>Кадр исполняется.</translation>
+        </message>
+        <message>
             <source>The built-in profile has no file: save it as one.</source>
             <translation>У встроенного профиля нет файла: сохраните его как файл.</translation>
         </message>
@@ -4117,6 +4457,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ядро завершилось в слое %1, точке %2</translation>
         </message>
         <message>
+            <source>The core has ended in line %1 of its program</source>
+            <translation>Ядро завершилось в строке %1 программы</translation>
+        </message>
+        <message>
             <source>The core has ended in the middle of its work</source>
             <translation>Ядро завершилось посреди работы</translation>
         </message>
@@ -4147,6 +4491,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The core is silent, in layer %1, point %2</source>
             <translation>Ядро замолчало в слое %1, точке %2</translation>
+        </message>
+        <message>
+            <source>The core is silent, in line %1 of its program</source>
+            <translation>Ядро молчит, в строке %1 программы</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
@@ -4197,6 +4545,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Файл кончается без endsolid.</translation>
         </message>
         <message>
+            <source>The file has been changed since it was read: decode it again.</source>
+            <translation>Файл изменён после чтения: разберите его снова.</translation>
+        </message>
+        <message>
             <source>The file is not there any more</source>
             <translation>Файла больше нет</translation>
         </message>
@@ -4233,8 +4585,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>До начала головки могут отойти от заготовки только на %1 мм, а не на %2 мм, как требует job.clearance_mm.</translation>
         </message>
         <message>
+            <source>The heads come in: %1.</source>
+            <translation>Головки подходят: %1.</translation>
+        </message>
+        <message>
             <source>The heads may stand in the piece.</source>
             <translation>Головки могут стоять в заготовке.</translation>
+        </message>
+        <message>
+            <source>The heads stay out (dry run).</source>
+            <translation>Головки остаются снаружи (холостой прогон).</translation>
         </message>
         <message>
             <source>The heads wait at the first point; start or stop</source>
@@ -4385,6 +4745,30 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Профиль ещё сохраняется. Потерять то, что ещё не сохранено?</translation>
         </message>
         <message>
+            <source>The program ended: %1</source>
+            <translation>Программа закончилась: %1</translation>
+        </message>
+        <message>
+            <source>The program is on its way to the machine.</source>
+            <translation>Программа на пути к станку.</translation>
+        </message>
+        <message>
+            <source>The program is run.</source>
+            <translation>Программа выполнена.</translation>
+        </message>
+        <message>
+            <source>The program runs. %1</source>
+            <translation>Программа идёт. %1</translation>
+        </message>
+        <message>
+            <source>The program's path; rapid moves are dashed</source>
+            <translation>Путь программы; быстрые перемещения — пунктиром</translation>
+        </message>
+        <message>
+            <source>The program's text</source>
+            <translation>Текст программы</translation>
+        </message>
+        <message>
             <source>The real machine at port %1</source>
             <translation>Настоящий станок на порту %1</translation>
         </message>
@@ -4401,8 +4785,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Общая память удалена или повреждена извне: сбросьте аварию и передайте задание снова.</translation>
         </message>
         <message>
+            <source>The spindle goes on.</source>
+            <translation>Шпиндель включается.</translation>
+        </message>
+        <message>
             <source>The spindle is off. No axis moved, and drives without an enable line stay on.</source>
             <translation>Шпиндель выключен. Ни одна ось не двигалась, а приводы без линии включения остаются под током.</translation>
+        </message>
+        <message>
+            <source>The spindle stays off until the program turns it on.</source>
+            <translation>Шпиндель выключен, пока программа его не включит.</translation>
         </message>
         <message>
             <source>The table has lost steps</source>
@@ -4439,6 +4831,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The tool leaves (draft)</source>
             <translation>Инструмент оставит (набросок)</translation>
+        </message>
+        <message>
+            <source>The typed block runs. %1</source>
+            <translation>Введённый кадр исполняется. %1</translation>
         </message>
         <message>
             <source>The unfinished piece is forgotten.</source>
@@ -4697,6 +5093,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Единица</translation>
         </message>
         <message>
+            <source>Unrolled</source>
+            <translation>Развёртка</translation>
+        </message>
+        <message>
             <source>Unrolled Ψ–Y map of radii</source>
             <translation>Развёртка радиусов Ψ–Y</translation>
         </message>
@@ -4807,6 +5207,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>What happened</source>
             <translation>Что произошло</translation>
+        </message>
+        <message>
+            <source>What is wrong with the program; a click goes to the line</source>
+            <translation>Что не так в программе; щелчок ведёт к строке</translation>
         </message>
         <message>
             <source>What keeps ticks in time</source>
@@ -4944,6 +5348,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Y enable</source>
             <translation>Y включение</translation>
+        </message>
+        <message>
+            <source>Y goes to %1 mm.</source>
+            <translation>Y идёт на %1 mm.</translation>
         </message>
         <message>
             <source>Y limit</source>
@@ -5151,6 +5559,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>импульс, пауза и запись в порт занимают %1 us, больше такта в %2 us; увеличьте tick.period_us, сократите port.step_high_ns или port.step_low_ns или задайте port.pulses = "over-ticks"</translation>
         </message>
         <message>
+            <source>a record was refused</source>
+            <translation>запись отвергнута</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>повторяется записанный прогон</translation>
         </message>
@@ -5171,6 +5583,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>после неё пришла команда остановки; повторите</translation>
         </message>
         <message>
+            <source>a stop of the program (M0); Resume goes on</source>
+            <translation>останов программы (M0); «Продолжить» ведёт дальше</translation>
+        </message>
+        <message>
             <source>a string</source>
             <translation>строка</translation>
         </message>
@@ -5189,6 +5605,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a text of %1 bytes; give %2 to %3 bytes</source>
             <translation>текст длиной %1 байт; допустимо от %2 до %3 байт</translation>
+        </message>
+        <message>
+            <source>a tool change (M6); Resume goes on</source>
+            <translation>смена инструмента (M6); «Продолжить» ведёт дальше</translation>
         </message>
         <message>
             <source>a tool does not become %1 mm shorter; 0 to %2 mm, else touch the head off anew</source>
@@ -5269,6 +5689,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>an input cannot be on pin %1, which is an output; use pin 10 to 13 or 15</source>
             <translation>вход не может быть на выводе %1: это выход; возьмите вывод от 10 до 13 или 15</translation>
+        </message>
+        <message>
+            <source>an optional stop (M1); Resume goes on</source>
+            <translation>останов по выбору (M1); «Продолжить» ведёт дальше</translation>
         </message>
         <message>
             <source>an output cannot be on pin %1, which is an input; use pin 1 to 9, 14, 16 or 17</source>
@@ -5875,6 +6299,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>в тексте есть непечатаемый символ; удалите его</translation>
         </message>
         <message>
+            <source>it said nothing</source>
+            <translation>она ничего не сообщила</translation>
+        </message>
+        <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
             <translation>элементы &lt;use&gt; рисуют более двух миллионов элементов</translation>
         </message>
@@ -5895,12 +6323,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>хост забирает процессор когда хочет, и здесь этому не помешать</translation>
         </message>
         <message>
+            <source>its next lines have not come; it goes on when they do</source>
+            <translation>её следующие строки не пришли; она продолжит, когда они придут</translation>
+        </message>
+        <message>
             <source>its outlines cannot be joined: %1</source>
             <translation>контуры не удаётся объединить: %1</translation>
         </message>
         <message>
             <source>its outlines enclose no area; there is nothing to carve</source>
             <translation>контуры не охватывают площади; вырезать нечего</translation>
+        </message>
+        <message>
+            <source>its reader is gone</source>
+            <translation>её читатель исчез</translation>
+        </message>
+        <message>
+            <source>its reader was gone</source>
+            <translation>её читатель исчез</translation>
         </message>
         <message>
             <source>job</source>
@@ -6459,6 +6899,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>выключен</translation>
         </message>
         <message>
+            <source>on hold; Resume goes on</source>
+            <translation>на паузе; «Продолжить» ведёт дальше</translation>
+        </message>
+        <message>
             <source>only --port io:ADDRESS can drive a machine</source>
             <translation>станком можно управлять только через --port io:ADDRESS</translation>
         </message>
@@ -6489,6 +6933,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>opening was cancelled</source>
             <translation>открытие отменено</translation>
+        </message>
+        <message>
+            <source>optional stop (M1)</source>
+            <translation>условный останов (M1)</translation>
         </message>
         <message>
             <source>ordinary scheduling</source>
@@ -6625,6 +7073,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ проходит за слой больше, чем может любой станок</translation>
+        </message>
+        <message>
+            <source>psicarve gcode run FILE --from-line %1</source>
+            <translation>psicarve gcode run FILE --from-line %1</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -6787,6 +7239,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>молчит</translation>
         </message>
         <message>
+            <source>single block</source>
+            <translation>по кадрам</translation>
+        </message>
+        <message>
+            <source>single block: this one is done; Resume runs the next</source>
+            <translation>покадрово: этот кадр выполнен; «Продолжить» исполняет следующий</translation>
+        </message>
+        <message>
             <source>single or two-timer</source>
             <translation>single или two-timer</translation>
         </message>
@@ -6859,6 +7319,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ещё сработал: %1; освободите или отведите ось</translation>
         </message>
         <message>
+            <source>stop (M0)</source>
+            <translation>останов (M0)</translation>
+        </message>
+        <message>
             <source>stopped</source>
             <translation>остановлено</translation>
         </message>
@@ -6889,6 +7353,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>swapoff --all while carving, or more memory</source>
             <translation>swapoff --all во время резьбы или больше памяти</translation>
+        </message>
+        <message>
+            <source>taken up to line %1</source>
+            <translation>принято до строки %1</translation>
         </message>
         <message>
             <source>takes %1, with those before %2</source>
@@ -6973,6 +7441,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the core ended before it answered</source>
             <translation>ядро завершилось, не ответив</translation>
+        </message>
+        <message>
+            <source>the core has refused the next line: only Stop is left</source>
+            <translation>ядро отклонило следующую строку: остаётся только «Стоп»</translation>
         </message>
         <message>
             <source>the core of segment %1 (process %2) is silent</source>
@@ -7183,6 +7655,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>драйвер принтера может занять порт</translation>
         </message>
         <message>
+            <source>the process that feeds it is gone: only Stop is left</source>
+            <translation>процесс, который её подаёт, пропал: остаётся только «Стоп»</translation>
+        </message>
+        <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>профиль занимает %1 байт; допустимо не больше %2</translation>
         </message>
@@ -7339,6 +7815,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слишком много команд сразу; подождите остальные</translation>
         </message>
         <message>
+            <source>tool change (M6)</source>
+            <translation>смена инструмента (M6)</translation>
+        </message>
+        <message>
             <source>true or false</source>
             <translation>true или false</translation>
         </message>
@@ -7395,8 +7875,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>подождите или остановите</translation>
         </message>
         <message>
+            <source>waited for its lines: %1</source>
+            <translation>ждала своих строк: %1</translation>
+        </message>
+        <message>
             <source>waiting</source>
             <translation>ждёт</translation>
+        </message>
+        <message>
+            <source>waits for more of it</source>
+            <translation>ждёт продолжения</translation>
         </message>
         <message>
             <source>warning</source>
@@ -7435,6 +7923,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>× НЕТ ЯДРА</translation>
         </message>
         <message>
+            <source>Ψ / °, Y upwards / mm</source>
+            <translation>Ψ / °, вверх Y / mm</translation>
+        </message>
+        <message>
             <source>Ψ and Y after R1 and R2, or with them; home R1 and R2 first</source>
             <translation>Ψ и Y после R1 и R2 или вместе с ними; сначала найдите ноль R1 и R2</translation>
         </message>
@@ -7469,6 +7961,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ψ step</source>
             <translation>Ψ шаг</translation>
+        </message>
+        <message>
+            <source>Ψ turns to %1°, all turns.</source>
+            <translation>Ψ поворачивается на %1°, все обороты.</translation>
         </message>
         <message>
             <source>← →  Ψ

@@ -588,6 +588,14 @@
             <translation>%1–%2°，经过 0°（%3 %）</translation>
         </message>
         <message>
+            <source>%2 (line %1 of the program)</source>
+            <translation>%2（程序第 %1 行）</translation>
+        </message>
+        <message>
+            <source>%2 · override %1 %</source>
+            <translation>%2 · 倍率 %1 %</translation>
+        </message>
+        <message>
             <source>%3 (layer %1, point %2)</source>
             <translation>%3（第 %1 层，第 %2 点）</translation>
         </message>
@@ -678,6 +686,10 @@
         <message>
             <source>A new blank has to begin with layer 1.</source>
             <translation>新毛坯必须从第 1 层开始。</translation>
+        </message>
+        <message>
+            <source>A program that runs keeps what it was started with</source>
+            <translation>运行中的程序保持启动时的选择</translation>
         </message>
         <message>
             <source>A recording is being opened</source>
@@ -908,6 +920,10 @@
             <translation>原值</translation>
         </message>
         <message>
+            <source>Before its first line</source>
+            <translation>在第一行之前</translation>
+        </message>
+        <message>
             <source>Before this window was there: %1</source>
             <translation>本窗口打开之前：%1</translation>
         </message>
@@ -976,8 +992,20 @@
             <translation>毛坯半径</translation>
         </message>
         <message>
+            <source>Block asked for: %1</source>
+            <translation>已请求程序段：%1</translation>
+        </message>
+        <message>
+            <source>Block delete</source>
+            <translation>跳过程序段</translation>
+        </message>
+        <message>
             <source>Bodies</source>
             <translation>实体</translation>
+        </message>
+        <message>
+            <source>Both heads go out to the end of their travel.</source>
+            <translation>两个刀头退到行程末端。</translation>
         </message>
         <message>
             <source>Both heads in</source>
@@ -1070,6 +1098,10 @@
         <message>
             <source>Cancel verification</source>
             <translation>取消校验</translation>
+        </message>
+        <message>
+            <source>Cancel: nothing is being read</source>
+            <translation>取消：没有正在读取的内容</translation>
         </message>
         <message>
             <source>Carved against wanted: blue too deep, brown material left</source>
@@ -1168,6 +1200,10 @@
             <translation>已关闭：%1，既未发布也未保存</translation>
         </message>
         <message>
+            <source>Column %1: %2</source>
+            <translation>第 %1 列：%2</translation>
+        </message>
+        <message>
             <source>Command</source>
             <translation>命令</translation>
         </message>
@@ -1198,6 +1234,10 @@
         <message>
             <source>Comparison</source>
             <translation>比较</translation>
+        </message>
+        <message>
+            <source>Confirm and start</source>
+            <translation>确认并启动</translation>
         </message>
         <message>
             <source>Continue from layer %1</source>
@@ -1234,6 +1274,14 @@
         <message>
             <source>Dark</source>
             <translation>深色</translation>
+        </message>
+        <message>
+            <source>Decode</source>
+            <translation>解析</translation>
+        </message>
+        <message>
+            <source>Decode: no program is open</source>
+            <translation>解析：没有打开程序</translation>
         </message>
         <message>
             <source>Default</source>
@@ -1388,6 +1436,10 @@
             <translation>急停</translation>
         </message>
         <message>
+            <source>Each block is a program of its own: G21 G17 G90 G94 G54 G80 hold before it, without a feed, and the spindle is off behind it.</source>
+            <translation>每个程序段都是独立的程序：之前按 G21 G17 G90 G94 G54 G80，没有进给；之后主轴关闭。</translation>
+        </message>
+        <message>
             <source>Emergency stop</source>
             <translation>急停</translation>
         </message>
@@ -1428,8 +1480,12 @@
             <translation>结束 psicarve-rtcore，进程 %1</translation>
         </message>
         <message>
-            <source>Ends the job in order: heads out, spindle off (Shift+Esc)</source>
-            <translation>有序结束作业：刀头退出，主轴关闭（Shift+Esc）</translation>
+            <source>Ends the job or program: heads out, spindle off (Shift+Esc)</source>
+            <translation>结束作业或程序：刀头退出，主轴关闭（Shift+Esc）</translation>
+        </message>
+        <message>
+            <source>Ends the program in order: heads out, spindle off (Shift+Esc)</source>
+            <translation>有序结束程序：刀头退出，主轴关闭（Shift+Esc）</translation>
         </message>
         <message>
             <source>English</source>
@@ -1474,7 +1530,7 @@ Ctrl+0, Ctrl+−, Ctrl++  feed override
 Ctrl+O  open
 F5  slice
 F9  arm keyboard jog
-Ctrl+1 … 7  tabs
+Ctrl+1 … 8  tabs
 Ctrl+L  layer number
 F6  next pane
 F10  menu
@@ -1489,7 +1545,7 @@ Ctrl+0、Ctrl+−、Ctrl++  进给倍率
 Ctrl+O  打开
 F5  切片
 F9  启用键盘点动
-Ctrl+1 … 7  页面
+Ctrl+1 … 8  页面
 Ctrl+L  层号
 F6  下一窗格
 F10  菜单
@@ -1580,6 +1636,10 @@ F12  本列表</translation>
             <translation>支持包的文件夹</translation>
         </message>
         <message>
+            <source>Follow the line</source>
+            <translation>跟随当前行</translation>
+        </message>
+        <message>
             <source>Follow the machine</source>
             <translation>跟随机床</translation>
         </message>
@@ -1630,6 +1690,10 @@ F12  本列表</translation>
         <message>
             <source>From layer %1</source>
             <translation>从第 %1 层开始</translation>
+        </message>
+        <message>
+            <source>From line</source>
+            <translation>从行</translation>
         </message>
         <message>
             <source>From now on</source>
@@ -1822,6 +1886,14 @@ F12  本列表</translation>
         <message>
             <source>Hold: on hold already</source>
             <translation>暂停：已经暂停</translation>
+        </message>
+        <message>
+            <source>Holds at M1</source>
+            <translation>在 M1 处暂停</translation>
+        </message>
+        <message>
+            <source>Holds behind each block; Resume goes on</source>
+            <translation>每个程序段之后暂停；按“继续”接着运行</translation>
         </message>
         <message>
             <source>Holds every pulse against the job</source>
@@ -2156,6 +2228,10 @@ N、Shift+N  下一条、上一条记录
 方向键、PgUp、PgDn、Home、End  在时间轴上</translation>
         </message>
         <message>
+            <source>Keeps the line that runs in sight</source>
+            <translation>使正在运行的行保持可见</translation>
+        </message>
+        <message>
             <source>Key</source>
             <translation>键</translation>
         </message>
@@ -2276,6 +2352,10 @@ N、Shift+N  下一条、上一条记录
             <translation>继续运行</translation>
         </message>
         <message>
+            <source>Leaves out blocks that begin with /</source>
+            <translation>跳过以 / 开头的程序段</translation>
+        </message>
+        <message>
             <source>Leaves out the layers before it</source>
             <translation>跳过它之前的层</translation>
         </message>
@@ -2348,6 +2428,22 @@ N、Shift+N  下一条、上一条记录
             <translation>限位均断开</translation>
         </message>
         <message>
+            <source>Line %1</source>
+            <translation>第 %1 行</translation>
+        </message>
+        <message>
+            <source>Line %1, column %2</source>
+            <translation>第 %1 行第 %2 列</translation>
+        </message>
+        <message>
+            <source>Line to begin with</source>
+            <translation>起始行</translation>
+        </message>
+        <message>
+            <source>Lines: %1, moves: %2, errors: %3, warnings: %4</source>
+            <translation>行：%1，运动：%2，错误：%3，警告：%4</translation>
+        </message>
+        <message>
             <source>Live machine: %1</source>
             <translation>实际机床：%1</translation>
         </message>
@@ -2364,8 +2460,16 @@ N、Shift+N  下一条、上一条记录
             <translation>暂停中锁定：请继续或停止</translation>
         </message>
         <message>
+            <source>Locked on hold: stop</source>
+            <translation>暂停时锁定：请停止</translation>
+        </message>
+        <message>
             <source>Locked until the alarm is reset</source>
             <translation>报警复位前锁定</translation>
+        </message>
+        <message>
+            <source>Locked while a program runs</source>
+            <translation>程序运行时锁定</translation>
         </message>
         <message>
             <source>Locked while an axis moves</source>
@@ -2422,6 +2526,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Lowest point of the model above the table; baked into a job's heights.</source>
             <translation>模型最低点在台面以上的高度；计入作业的各层高度。</translation>
+        </message>
+        <message>
+            <source>MDI</source>
+            <translation>MDI</translation>
         </message>
         <message>
             <source>MOVING</source>
@@ -2592,6 +2700,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无模型。请从菜单打开，或将文件拖放到此处。</translation>
         </message>
         <message>
+            <source>No program is open.</source>
+            <translation>没有打开程序。</translation>
+        </message>
+        <message>
             <source>No tick by a real clock so far</source>
             <translation>尚无实时时钟节拍</translation>
         </message>
@@ -2632,8 +2744,16 @@ N、Shift+N  下一条、上一条记录
             <translation>未回零，作业已发布</translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation>暂不</translation>
+        </message>
+        <message>
             <source>Not opened, as the machine's profile was not: %1</source>
             <translation>未打开，因为机床配置未能打开：%1</translation>
+        </message>
+        <message>
+            <source>Not opened: %1</source>
+            <translation>未打开：%1</translation>
         </message>
         <message>
             <source>Not published</source>
@@ -2660,12 +2780,20 @@ N、Shift+N  下一条、上一条记录
             <translation>尚未切片。</translation>
         </message>
         <message>
+            <source>Nothing before this line moves anything.</source>
+            <translation>此行之前没有任何运动。</translation>
+        </message>
+        <message>
             <source>Nothing differs from the built-in profile</source>
             <translation>与内置配置没有差别</translation>
         </message>
         <message>
             <source>Nothing is carved closer to the axis.</source>
             <translation>不会雕刻到比此更靠近轴心处。</translation>
+        </message>
+        <message>
+            <source>Nothing is left of it but to stop</source>
+            <translation>只能停止它</translation>
         </message>
         <message>
             <source>Nothing is left over</source>
@@ -2678,6 +2806,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Nothing is wrong.</source>
             <translation>一切正常。</translation>
+        </message>
+        <message>
+            <source>Nothing moves in this plane.</source>
+            <translation>此平面内没有运动。</translation>
         </message>
         <message>
             <source>Nothing was changed</source>
@@ -2744,6 +2876,14 @@ N、Shift+N  下一条、上一条记录
             <translation>对这个工件只是费时，不切削任何材料。新毛坯必须从第 1 层开始。</translation>
         </message>
         <message>
+            <source>One block of G-code, run by Return</source>
+            <translation>一个 G 代码程序段，按回车运行</translation>
+        </message>
+        <message>
+            <source>One block; Return runs it</source>
+            <translation>一个程序段；按回车运行</translation>
+        </message>
+        <message>
             <source>One layer</source>
             <translation>一层</translation>
         </message>
@@ -2768,6 +2908,14 @@ N、Shift+N  下一条、上一条记录
             <translation>打开机床配置</translation>
         </message>
         <message>
+            <source>Open a program</source>
+            <translation>打开程序</translation>
+        </message>
+        <message>
+            <source>Open a program…</source>
+            <translation>打开程序…</translation>
+        </message>
+        <message>
             <source>Open in directions</source>
             <translation>开口方向</translation>
         </message>
@@ -2788,12 +2936,12 @@ N、Shift+N  下一条、上一条记录
             <translation>打开其作业：此快照中没有作业</translation>
         </message>
         <message>
-            <source>Open model, job or recording</source>
-            <translation>打开模型、作业或记录</translation>
+            <source>Open model, job, program or recording</source>
+            <translation>打开模型、作业、程序或记录</translation>
         </message>
         <message>
-            <source>Open model, job or recording…</source>
-            <translation>打开模型、作业或记录…</translation>
+            <source>Open model, job, program or recording…</source>
+            <translation>打开模型、作业、程序或记录…</translation>
         </message>
         <message>
             <source>Open points</source>
@@ -2840,6 +2988,10 @@ N、Shift+N  下一条、上一条记录
             <translation>打开内核在该报警时刻的记录；不会移动任何东西</translation>
         </message>
         <message>
+            <source>Optional stop</source>
+            <translation>选择停止</translation>
+        </message>
+        <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
             <translation>输出引脚 1..9、14、16 或 17；0：未接；负号：低电平有效。</translation>
         </message>
@@ -2850,6 +3002,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>POSITIONING</source>
             <translation>定位中</translation>
+        </message>
+        <message>
+            <source>PROGRAM</source>
+            <translation>程序</translation>
         </message>
         <message>
             <source>Page faults, preemptions of the tick</source>
@@ -3040,6 +3196,66 @@ N、Shift+N  下一条、上一条记录
             <translation>配置 (*.toml)</translation>
         </message>
         <message>
+            <source>Program</source>
+            <translation>程序</translation>
+        </message>
+        <message>
+            <source>Program %1 of another process runs. %2</source>
+            <translation>另一进程的程序 %1 正在运行。%2</translation>
+        </message>
+        <message>
+            <source>Program begun</source>
+            <translation>程序已开始</translation>
+        </message>
+        <message>
+            <source>Program broke off behind line %1</source>
+            <translation>程序在第 %1 行之后中断</translation>
+        </message>
+        <message>
+            <source>Program done, up to line %1</source>
+            <translation>程序已完成，至第 %1 行</translation>
+        </message>
+        <message>
+            <source>Program ended</source>
+            <translation>程序结束</translation>
+        </message>
+        <message>
+            <source>Program ended by an alarm in line %1</source>
+            <translation>程序在第 %1 行因报警结束</translation>
+        </message>
+        <message>
+            <source>Program ended in line %1</source>
+            <translation>程序在第 %1 行结束</translation>
+        </message>
+        <message>
+            <source>Program held in line %1</source>
+            <translation>程序在第 %1 行暂停</translation>
+        </message>
+        <message>
+            <source>Program run</source>
+            <translation>程序已运行</translation>
+        </message>
+        <message>
+            <source>Program started: %1</source>
+            <translation>程序已启动：%1</translation>
+        </message>
+        <message>
+            <source>Program stopped in line %1</source>
+            <translation>程序在第 %1 行停止</translation>
+        </message>
+        <message>
+            <source>Program, before its first line</source>
+            <translation>程序，在第一行之前</translation>
+        </message>
+        <message>
+            <source>Program, line %1</source>
+            <translation>程序，第 %1 行</translation>
+        </message>
+        <message>
+            <source>Programs in G-code (%1)</source>
+            <translation>G 代码程序 (%1)</translation>
+        </message>
+        <message>
             <source>Progress</source>
             <translation>进度</translation>
         </message>
@@ -3108,6 +3324,14 @@ N、Shift+N  下一条、上一条记录
             <translation>把此作业取到窗口中，代替 %1</translation>
         </message>
         <message>
+            <source>R1 %1 mm</source>
+            <translation>R1 %1 mm</translation>
+        </message>
+        <message>
+            <source>R1 / mm, Y upwards / mm</source>
+            <translation>R1 / mm，Y 向上 / mm</translation>
+        </message>
+        <message>
             <source>R1 and R2 out, then Y, then Ψ to its index (Ctrl+Home)</source>
             <translation>先 R1 和 R2 退出，再 Y，然后 Ψ 到零位（Ctrl+Home）</translation>
         </message>
@@ -3136,8 +3360,20 @@ N、Shift+N  下一条、上一条记录
             <translation>R1 退</translation>
         </message>
         <message>
+            <source>R1 plane</source>
+            <translation>R1 平面</translation>
+        </message>
+        <message>
             <source>R1 step</source>
             <translation>R1 步进</translation>
+        </message>
+        <message>
+            <source>R2 %1 mm</source>
+            <translation>R2 %1 mm</translation>
+        </message>
+        <message>
+            <source>R2 / mm, Y upwards / mm</source>
+            <translation>R2 / mm，Y 向上 / mm</translation>
         </message>
         <message>
             <source>R2 direction</source>
@@ -3166,6 +3402,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>R2 out</source>
             <translation>R2 退</translation>
+        </message>
+        <message>
+            <source>R2 plane</source>
+            <translation>R2 平面</translation>
         </message>
         <message>
             <source>R2 stands %1 mm lower than R1 and is under the model in %2 of its layers: there it cuts what holds the model down to a radius of %3 mm.</source>
@@ -3228,8 +3468,16 @@ N、Shift+N  下一条、上一条记录
             <translation>正在读取文件 …</translation>
         </message>
         <message>
+            <source>Reading the program: %1 %</source>
+            <translation>正在读取程序：%1 %</translation>
+        </message>
+        <message>
             <source>Reading the recording</source>
             <translation>读取记录</translation>
+        </message>
+        <message>
+            <source>Reads and judges the file once more, by the machine as it is now</source>
+            <translation>按机床当前状态重新读取并检查文件</translation>
         </message>
         <message>
             <source>Real time</source>
@@ -3388,6 +3636,14 @@ N、Shift+N  下一条、上一条记录
             <translation>继续：未暂停</translation>
         </message>
         <message>
+            <source>Resume: nothing is left of the program; stop</source>
+            <translation>继续：程序已无剩余内容；请停止</translation>
+        </message>
+        <message>
+            <source>Resume: the program goes on by itself when more of it comes</source>
+            <translation>继续：后续内容到达后程序会自行继续</translation>
+        </message>
+        <message>
             <source>Roughing</source>
             <translation>粗加工</translation>
         </message>
@@ -3396,8 +3652,20 @@ N、Shift+N  下一条、上一条记录
             <translation>粗加工无法保持 %1 mm 的步距：作业各层相距 %2 mm。</translation>
         </message>
         <message>
+            <source>Run a program in G-code…</source>
+            <translation>运行 G 代码程序…</translation>
+        </message>
+        <message>
             <source>Run before: to layer %1 (From layer %2).</source>
             <translation>上一次：到第 %1 层（“从层”%2）。</translation>
+        </message>
+        <message>
+            <source>Run from line %1: first the machine does this</source>
+            <translation>从第 %1 行运行：机床首先这样做</translation>
+        </message>
+        <message>
+            <source>Runs it as a process of its own: closing this window ends nothing</source>
+            <translation>作为独立进程运行：关闭此窗口不会结束任何东西</translation>
         </message>
         <message>
             <source>Runs the core's own tick loop with nothing in the tick; touches no machine</source>
@@ -3660,6 +3928,10 @@ N、Shift+N  下一条、上一条记录
             <translation>自何时起、用哪把刀具不得而知：磁盘现在记录的是另一个工件或另一层。</translation>
         </message>
         <message>
+            <source>Single block</source>
+            <translation>单段</translation>
+        </message>
+        <message>
             <source>Size</source>
             <translation>尺寸</translation>
         </message>
@@ -3736,6 +4008,10 @@ N、Shift+N  下一条、上一条记录
             <translation>主轴关</translation>
         </message>
         <message>
+            <source>Spindle off, heads outside the blank; table and Y go as they would</source>
+            <translation>主轴关闭，刀头在毛坯外；转台和 Y 照常运动</translation>
+        </message>
+        <message>
             <source>Spindle off. Put a pin of known diameter on the axis, home, and bring %1 to it with the Jog panel, the last steps by hundredths, until the tip just touches: a slip of paper is held.</source>
             <translation>主轴关闭。在轴线上放一根已知直径的销，回零，用点动面板将 %1 移向它，最后按百分之一毫米移动，直到刀尖刚好接触：纸条被夹住。</translation>
         </message>
@@ -3788,6 +4064,10 @@ N、Shift+N  下一条、上一条记录
             <translation>重新启动它；继续雕刻前先回零</translation>
         </message>
         <message>
+            <source>Start program</source>
+            <translation>启动程序</translation>
+        </message>
+        <message>
             <source>Start psicarve-rtcore</source>
             <translation>启动 psicarve-rtcore</translation>
         </message>
@@ -3804,8 +4084,20 @@ N、Shift+N  下一条、上一条记录
             <translation>启动、一层和从层均不雕刻：转台和 Y 按作业运动，刀头在毛坯外，主轴关闭</translation>
         </message>
         <message>
+            <source>Start: a dry run switches nothing; switch the spindle off first</source>
+            <translation>启动：空运行不切换任何输出；请先关闭主轴</translation>
+        </message>
+        <message>
             <source>Start: a job is being made</source>
             <translation>启动：正在生成作业</translation>
+        </message>
+        <message>
+            <source>Start: a program runs</source>
+            <translation>启动：程序正在运行</translation>
+        </message>
+        <message>
+            <source>Start: a recording is shown; leave replay first</source>
+            <translation>启动：正在显示记录；请先退出回放</translation>
         </message>
         <message>
             <source>Start: already carving</source>
@@ -3816,8 +4108,20 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：正在测试输出</translation>
         </message>
         <message>
+            <source>Start: another program runs; stop it first</source>
+            <translation>启动：另一程序正在运行；请先停止它</translation>
+        </message>
+        <message>
             <source>Start: axis %1 is not homed</source>
             <translation>启动：轴 %1 未回零</translation>
+        </message>
+        <message>
+            <source>Start: errors in the program: %1</source>
+            <translation>启动：程序中的错误：%1</translation>
+        </message>
+        <message>
+            <source>Start: it was judged for another profile; decode it again</source>
+            <translation>启动：它是按另一配置检查的；请重新解析</translation>
         </message>
         <message>
             <source>Start: no job is published</source>
@@ -3826,6 +4130,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: no layer was finished</source>
             <translation>启动：没有完成的层</translation>
+        </message>
+        <message>
+            <source>Start: no program is open</source>
+            <translation>启动：没有打开程序</translation>
+        </message>
+        <message>
+            <source>Start: on hold; only Stop is left</source>
+            <translation>启动：已暂停；只能停止</translation>
         </message>
         <message>
             <source>Start: on hold; resume or stop</source>
@@ -3848,6 +4160,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：正在停止</translation>
         </message>
         <message>
+            <source>Start: the core's profile is not known; open it on page Profile</source>
+            <translation>启动：核心的配置未知；请在“配置”页打开它</translation>
+        </message>
+        <message>
             <source>Start: the drives are off; home all axes</source>
             <translation>启动：驱动已关闭；请全部回零</translation>
         </message>
@@ -3860,6 +4176,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：刀头正在退出</translation>
         </message>
         <message>
+            <source>Start: the heads wait at the first point of a job; stop first</source>
+            <translation>启动：刀头在作业的第一点等待；请先停止</translation>
+        </message>
+        <message>
             <source>Start: the job is being published</source>
             <translation>启动：作业正在发布</translation>
         </message>
@@ -3870,6 +4190,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: the machine moves</source>
             <translation>启动：机床在运动</translation>
+        </message>
+        <message>
+            <source>Start: the program ends in line %1</source>
+            <translation>启动：程序在第 %1 行结束</translation>
+        </message>
+        <message>
+            <source>Start: the program is being read</source>
+            <translation>启动：正在读取程序</translation>
+        </message>
+        <message>
+            <source>Start: the program is on its way</source>
+            <translation>启动：程序正在送出</translation>
         </message>
         <message>
             <source>State at the end</source>
@@ -4064,6 +4396,14 @@ N、Shift+N  下一条、上一条记录
             <translation>毛坯、各道深度和刀具（按比例）</translation>
         </message>
         <message>
+            <source>The block is run.</source>
+            <translation>程序段已运行。</translation>
+        </message>
+        <message>
+            <source>The block runs.</source>
+            <translation>程序段正在运行。</translation>
+        </message>
+        <message>
             <source>The built-in profile has no file: save it as one.</source>
             <translation>内置配置没有文件：请另存为文件。</translation>
         </message>
@@ -4112,6 +4452,10 @@ N、Shift+N  下一条、上一条记录
             <translation>内核在第 %1 层、第 %2 点结束</translation>
         </message>
         <message>
+            <source>The core has ended in line %1 of its program</source>
+            <translation>内核在其程序的第 %1 行结束</translation>
+        </message>
+        <message>
             <source>The core has ended in the middle of its work</source>
             <translation>内核在工作中途结束</translation>
         </message>
@@ -4142,6 +4486,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The core is silent, in layer %1, point %2</source>
             <translation>内核无响应，在第 %1 层、第 %2 点</translation>
+        </message>
+        <message>
+            <source>The core is silent, in line %1 of its program</source>
+            <translation>内核无响应，在其程序的第 %1 行</translation>
         </message>
         <message>
             <source>The core runs on a virtual clock: no tick is ever late</source>
@@ -4192,6 +4540,10 @@ N、Shift+N  下一条、上一条记录
             <translation>文件结尾缺少 endsolid。</translation>
         </message>
         <message>
+            <source>The file has been changed since it was read: decode it again.</source>
+            <translation>文件在读取后已更改：请重新解析。</translation>
+        </message>
+        <message>
             <source>The file is not there any more</source>
             <translation>文件已不存在</translation>
         </message>
@@ -4228,8 +4580,16 @@ N、Shift+N  下一条、上一条记录
             <translation>开始前刀头只能退到毛坯外 %1 mm，达不到 job.clearance_mm 的 %2 mm。</translation>
         </message>
         <message>
+            <source>The heads come in: %1.</source>
+            <translation>刀头进入：%1。</translation>
+        </message>
+        <message>
             <source>The heads may stand in the piece.</source>
             <translation>刀头可能停在工件中。</translation>
+        </message>
+        <message>
+            <source>The heads stay out (dry run).</source>
+            <translation>刀头留在外面（空运行）。</translation>
         </message>
         <message>
             <source>The heads wait at the first point; start or stop</source>
@@ -4380,6 +4740,30 @@ N、Shift+N  下一条、上一条记录
             <translation>配置仍在保存。要放弃尚未保存的内容吗？</translation>
         </message>
         <message>
+            <source>The program ended: %1</source>
+            <translation>程序结束：%1</translation>
+        </message>
+        <message>
+            <source>The program is on its way to the machine.</source>
+            <translation>程序正在送往机床。</translation>
+        </message>
+        <message>
+            <source>The program is run.</source>
+            <translation>程序已运行完毕。</translation>
+        </message>
+        <message>
+            <source>The program runs. %1</source>
+            <translation>程序正在运行。%1</translation>
+        </message>
+        <message>
+            <source>The program's path; rapid moves are dashed</source>
+            <translation>程序的路径；快速移动为虚线</translation>
+        </message>
+        <message>
+            <source>The program's text</source>
+            <translation>程序文本</translation>
+        </message>
+        <message>
             <source>The real machine at port %1</source>
             <translation>端口 %1 上的真实机床</translation>
         </message>
@@ -4396,8 +4780,16 @@ N、Shift+N  下一条、上一条记录
             <translation>共享内存被外部删除或损坏：复位报警并重新发布作业。</translation>
         </message>
         <message>
+            <source>The spindle goes on.</source>
+            <translation>主轴打开。</translation>
+        </message>
+        <message>
             <source>The spindle is off. No axis moved, and drives without an enable line stay on.</source>
             <translation>主轴已关闭。没有轴移动，没有使能线的驱动保持通电。</translation>
+        </message>
+        <message>
+            <source>The spindle stays off until the program turns it on.</source>
+            <translation>主轴保持关闭，直到程序打开它。</translation>
         </message>
         <message>
             <source>The table has lost steps</source>
@@ -4434,6 +4826,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The tool leaves (draft)</source>
             <translation>刀具留下（草图）</translation>
+        </message>
+        <message>
+            <source>The typed block runs. %1</source>
+            <translation>输入的程序段正在运行。%1</translation>
         </message>
         <message>
             <source>The unfinished piece is forgotten.</source>
@@ -4692,6 +5088,10 @@ N、Shift+N  下一条、上一条记录
             <translation>单位</translation>
         </message>
         <message>
+            <source>Unrolled</source>
+            <translation>展开</translation>
+        </message>
+        <message>
             <source>Unrolled Ψ–Y map of radii</source>
             <translation>Ψ–Y 半径展开图</translation>
         </message>
@@ -4802,6 +5202,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>What happened</source>
             <translation>发生了什么</translation>
+        </message>
+        <message>
+            <source>What is wrong with the program; a click goes to the line</source>
+            <translation>程序的问题；点击转到该行</translation>
         </message>
         <message>
             <source>What keeps ticks in time</source>
@@ -4938,6 +5342,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Y enable</source>
             <translation>Y 使能</translation>
+        </message>
+        <message>
+            <source>Y goes to %1 mm.</source>
+            <translation>Y 移到 %1 mm。</translation>
         </message>
         <message>
             <source>Y limit</source>
@@ -5144,6 +5552,10 @@ N、Shift+N  下一条、上一条记录
             <translation>一个脉冲、其间隔和写端口共需 %1 us，超过一个 %2 us 的节拍；请加长 tick.period_us，缩短 port.step_high_ns 或 port.step_low_ns，或设 port.pulses = "over-ticks"</translation>
         </message>
         <message>
+            <source>a record was refused</source>
+            <translation>有记录被拒绝</translation>
+        </message>
+        <message>
             <source>a recorded run is being replayed</source>
             <translation>正在重放已记录的运行</translation>
         </message>
@@ -5164,6 +5576,10 @@ N、Shift+N  下一条、上一条记录
             <translation>此命令之后收到了停止命令；请重新发出</translation>
         </message>
         <message>
+            <source>a stop of the program (M0); Resume goes on</source>
+            <translation>程序停止（M0）；按“继续”接着运行</translation>
+        </message>
+        <message>
             <source>a string</source>
             <translation>字符串</translation>
         </message>
@@ -5182,6 +5598,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>a text of %1 bytes; give %2 to %3 bytes</source>
             <translation>文字长 %1 字节；请输入 %2 到 %3 字节</translation>
+        </message>
+        <message>
+            <source>a tool change (M6); Resume goes on</source>
+            <translation>换刀（M6）；按“继续”接着运行</translation>
         </message>
         <message>
             <source>a tool does not become %1 mm shorter; 0 to %2 mm, else touch the head off anew</source>
@@ -5262,6 +5682,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>an input cannot be on pin %1, which is an output; use pin 10 to 13 or 15</source>
             <translation>输入不能接在引脚 %1，它是输出；请用引脚 10 到 13 或 15</translation>
+        </message>
+        <message>
+            <source>an optional stop (M1); Resume goes on</source>
+            <translation>选择停止（M1）；按“继续”接着运行</translation>
         </message>
         <message>
             <source>an output cannot be on pin %1, which is an input; use pin 1 to 9, 14, 16 or 17</source>
@@ -5868,6 +6292,10 @@ N、Shift+N  下一条、上一条记录
             <translation>含有不可显示的字符；请删除</translation>
         </message>
         <message>
+            <source>it said nothing</source>
+            <translation>它没有说明</translation>
+        </message>
+        <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
             <translation>其 &lt;use&gt; 元素绘出超过两百万个元素</translation>
         </message>
@@ -5888,12 +6316,24 @@ N、Shift+N  下一条、上一条记录
             <translation>宿主机随时会取走处理器，此处无法阻止</translation>
         </message>
         <message>
+            <source>its next lines have not come; it goes on when they do</source>
+            <translation>后面的行尚未到达；到达后自动继续</translation>
+        </message>
+        <message>
             <source>its outlines cannot be joined: %1</source>
             <translation>其轮廓无法合并：%1</translation>
         </message>
         <message>
             <source>its outlines enclose no area; there is nothing to carve</source>
             <translation>其轮廓不围成面积；没有可雕刻的内容</translation>
+        </message>
+        <message>
+            <source>its reader is gone</source>
+            <translation>读取进程已消失</translation>
+        </message>
+        <message>
+            <source>its reader was gone</source>
+            <translation>读取程序的进程当时已消失</translation>
         </message>
         <message>
             <source>job</source>
@@ -6452,6 +6892,10 @@ N、Shift+N  下一条、上一条记录
             <translation>关闭</translation>
         </message>
         <message>
+            <source>on hold; Resume goes on</source>
+            <translation>暂停中；按“继续”接着运行</translation>
+        </message>
+        <message>
             <source>only --port io:ADDRESS can drive a machine</source>
             <translation>只能通过 --port io:ADDRESS 驱动机器</translation>
         </message>
@@ -6482,6 +6926,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>opening was cancelled</source>
             <translation>已取消打开</translation>
+        </message>
+        <message>
+            <source>optional stop (M1)</source>
+            <translation>选择停止（M1）</translation>
         </message>
         <message>
             <source>ordinary scheduling</source>
@@ -6618,6 +7066,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>psi goes further in a layer than any machine</source>
             <translation>Ψ 在一层内的行程超出任何机床</translation>
+        </message>
+        <message>
+            <source>psicarve gcode run FILE --from-line %1</source>
+            <translation>psicarve gcode run FILE --from-line %1</translation>
         </message>
         <message>
             <source>psicarve-hmi --opengl tries it again</source>
@@ -6780,6 +7232,14 @@ N、Shift+N  下一条、上一条记录
             <translation>无响应</translation>
         </message>
         <message>
+            <source>single block</source>
+            <translation>单段</translation>
+        </message>
+        <message>
+            <source>single block: this one is done; Resume runs the next</source>
+            <translation>单段：本段已完成；按“继续”运行下一段</translation>
+        </message>
+        <message>
             <source>single or two-timer</source>
             <translation>single 或 two-timer</translation>
         </message>
@@ -6852,6 +7312,10 @@ N、Shift+N  下一条、上一条记录
             <translation>仍处于触发状态：%1；请松开或退离开关</translation>
         </message>
         <message>
+            <source>stop (M0)</source>
+            <translation>停止（M0）</translation>
+        </message>
+        <message>
             <source>stopped</source>
             <translation>已停止</translation>
         </message>
@@ -6882,6 +7346,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>swapoff --all while carving, or more memory</source>
             <translation>雕刻时执行 swapoff --all，或增加内存</translation>
+        </message>
+        <message>
+            <source>taken up to line %1</source>
+            <translation>已取到第 %1 行</translation>
         </message>
         <message>
             <source>takes %1, with those before %2</source>
@@ -6966,6 +7434,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the core ended before it answered</source>
             <translation>内核在回答之前已结束</translation>
+        </message>
+        <message>
+            <source>the core has refused the next line: only Stop is left</source>
+            <translation>内核拒绝了下一行：只能停止</translation>
         </message>
         <message>
             <source>the core of segment %1 (process %2) is silent</source>
@@ -7176,6 +7648,10 @@ N、Shift+N  下一条、上一条记录
             <translation>打印机驱动可能占用端口</translation>
         </message>
         <message>
+            <source>the process that feeds it is gone: only Stop is left</source>
+            <translation>供给它的进程已消失：只能停止</translation>
+        </message>
+        <message>
             <source>the profile is %1 bytes long; the most is %2</source>
             <translation>配置长 %1 字节；最多 %2 字节</translation>
         </message>
@@ -7332,6 +7808,10 @@ N、Shift+N  下一条、上一条记录
             <translation>同时命令过多；请等待其他命令</translation>
         </message>
         <message>
+            <source>tool change (M6)</source>
+            <translation>换刀（M6）</translation>
+        </message>
+        <message>
             <source>true or false</source>
             <translation>true 或 false</translation>
         </message>
@@ -7388,8 +7868,16 @@ N、Shift+N  下一条、上一条记录
             <translation>请等待或停止</translation>
         </message>
         <message>
+            <source>waited for its lines: %1</source>
+            <translation>等待程序行的次数：%1</translation>
+        </message>
+        <message>
             <source>waiting</source>
             <translation>等待中</translation>
+        </message>
+        <message>
+            <source>waits for more of it</source>
+            <translation>等待后续内容</translation>
         </message>
         <message>
             <source>warning</source>
@@ -7428,6 +7916,10 @@ N、Shift+N  下一条、上一条记录
             <translation>× 无内核</translation>
         </message>
         <message>
+            <source>Ψ / °, Y upwards / mm</source>
+            <translation>Ψ / °，Y 向上 / mm</translation>
+        </message>
+        <message>
             <source>Ψ and Y after R1 and R2, or with them; home R1 and R2 first</source>
             <translation>Ψ 和 Y 须在 R1 和 R2 之后或同时回零；请先让 R1 和 R2 回零</translation>
         </message>
@@ -7462,6 +7954,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Ψ step</source>
             <translation>Ψ 步进</translation>
+        </message>
+        <message>
+            <source>Ψ turns to %1°, all turns.</source>
+            <translation>Ψ 转到 %1°，含全部圈数。</translation>
         </message>
         <message>
             <source>← →  Ψ

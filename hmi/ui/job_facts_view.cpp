@@ -119,7 +119,7 @@ void JobFactsView::show_times(const replay::JobPointer& job) {
         session::job_times(context_.shown(), is_cores_job, job && !is_replay ? job->least.total() : 0.0,
                            is_replay ? std::nullopt : context_.estimate.planned(job));
     const session::MachineView& machine_view = context_.shown();
-    const bool is_carved = is_cores_job && machine_view.status && runs_job(machine_view.state());
+    const bool is_carved = is_cores_job && machine_view.status && machine_view.runs_job();
     const auto layer = is_carved ? std::optional{machine_view.status->layer} : std::nullopt;
     const session::Phrase pass = job ? session::pass_phrase(job->view, layer) : session::Phrase{};
     pass_.value->setText(words(pass));

@@ -55,7 +55,7 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
            "close "
            "it\nCtrl+Enter  start\nPause  hold, resume, everywhere\n"
            "Ctrl+Home  home all\nCtrl+0, Ctrl+−, Ctrl++  feed override\nCtrl+O  open\nF5  slice\nF9  arm "
-           "keyboard jog\nCtrl+1 … 7  tabs\nCtrl+L  layer number\nF6  next pane\nF10  "
+           "keyboard jog\nCtrl+1 … 8  tabs\nCtrl+L  layer number\nF6  next pane\nF10  "
            "menu\nF12  this list"));
     auto* jog = list_of("keys_jog", tr("← →  Ψ\n↑ ↓  Y\nPgUp PgDn  R1 out, in\nCtrl+PgUp PgDn  R2 out, in\n"
                                        "Shift with these  one step"));

@@ -35,6 +35,7 @@
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
+#include "hmi/ui/program_page.hpp"
 #include "hmi/ui/refusal_bar.hpp"
 #include "hmi/ui/replay_bar.hpp"
 #include "hmi/ui/side_panels.hpp"
@@ -212,6 +213,10 @@ void MainWindow::open(const QString& path) {
                                         session::phrase("Open: the machine's profile is still being read"));
     }
     settings_.add_recent_file(path);
+    if (program::is_program_file(path.toStdString())) {
+        pages_->show_page(pages_->program());
+        return context_.program.open(path.toStdString(), context_.machine.view(), context_.machine_profile());
+    }
     context_.open_job.open(path.toStdString());
 }
 
@@ -270,6 +275,7 @@ void MainWindow::show_room(Room room) {
     unfinished_->set_room(room);
     core_profile_->set_room(room);
     position_->set_room(room);
+    set_styled(pages_->tabBar(), "narrow", room == Room::small ? "yes" : "no");
     show_menu_bar(room == Room::wide);
     if (sides_->arrange(room)) {
         jog_->let_go();

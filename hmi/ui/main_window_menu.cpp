@@ -56,7 +56,7 @@ void MainWindow::show_menu_bar(bool is_shown) {
 }
 
 void MainWindow::make_file_menu() {
-    QAction* open_action = file_menu_->addAction(tr("Open model, job or recording…"));
+    QAction* open_action = file_menu_->addAction(tr("Open model, job, program or recording…"));
     open_action->setObjectName("open_action");
     open_action->setShortcut(QKeySequence::Open);
     connect(open_action, &QAction::triggered, this, [this] { choose_file(); });
@@ -97,7 +97,7 @@ void MainWindow::make_help_menu() {
 }
 
 void MainWindow::make_places() {
-    constexpr int kTabs = 7;
+    constexpr int kTabs = 8;
     for (int i = 0; i < kTabs; ++i) {
         auto* show = new QAction{this};
         show->setObjectName(QStringLiteral("page_%1_key").arg(i + 1));
@@ -225,7 +225,7 @@ void MainWindow::make_language_menu() {
 
 void MainWindow::choose_file() {
     const QString path =
-        ask_for_file(this, tr("Open model, job or recording"), last_folder(), filters_of_files());
+        ask_for_file(this, tr("Open model, job, program or recording"), last_folder(), filters_of_files());
     if (!path.isEmpty()) open(path);
 }
 

@@ -18,8 +18,8 @@ namespace psicarve::ui {
 namespace {
 
 // In the order of the tabs.
-constexpr std::array<const char*, 7> kPageNames{"model",    "layers",   "carving", "ports",
-                                                "realtime", "messages", "profile"};
+constexpr std::array<const char*, 8> kPageNames{"model",    "layers",   "carving", "ports",
+                                                "realtime", "messages", "profile", "program"};
 
 }  // namespace
 

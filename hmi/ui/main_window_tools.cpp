@@ -14,6 +14,7 @@
 #include "hmi/ui/place_keeper.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/profile_page.hpp"
+#include "hmi/ui/program_page.hpp"
 #include "hmi/ui/realtime_page.hpp"
 #include "hmi/ui/side_panels.hpp"
 #include "hmi/ui/verdict_dialog.hpp"
@@ -58,6 +59,12 @@ void MainWindow::make_machine_menu() {
     QAction* spindle = machine_menu_->addAction(tr("Spindle on or off"));
     spindle->setObjectName("spindle_action");
     connect(spindle, &QAction::triggered, this, [this] { jog_->turn_spindle(); });
+    QAction* program = machine_menu_->addAction(tr("Run a program in G-code…"));
+    program->setObjectName("program_action");
+    connect(program, &QAction::triggered, this, [this] {
+        pages_->show_page(pages_->program());
+        if (context_.program.path().empty()) pages_->program().choose_file();
+    });
     QAction* wiring = machine_menu_->addAction(tr("Wiring test, recording pins…"));
     wiring->setObjectName("wiring_action");
     connect(wiring, &QAction::triggered, this, [this] { pages_->show_page(pages_->ports()); });

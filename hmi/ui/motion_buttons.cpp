@@ -46,7 +46,7 @@ MotionButtons make_motion_buttons(WindowContext& context) {
         new ActionButton{Action::stop, Words::tr("Stop"), [&machine] { machine.stop(); }}};
     made.hold->set_hint(Words::tr("Slows down along the path and stands on it (Pause, Esc)"));
     made.resume->set_hint(Words::tr("Goes on where it stands (Pause)"));
-    made.stop->set_hint(Words::tr("Ends the job in order: heads out, spindle off (Shift+Esc)"));
+    made.stop->set_hint(Words::tr("Ends the job or program: heads out, spindle off (Shift+Esc)"));
     return made;
 }
 

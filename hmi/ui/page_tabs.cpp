@@ -16,6 +16,7 @@
 #include "hmi/ui/model_page.hpp"
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/profile_page.hpp"
+#include "hmi/ui/program_page.hpp"
 #include "hmi/ui/realtime_page.hpp"
 #include "hmi/ui/tab_badge.hpp"
 
@@ -40,7 +41,7 @@ PageTabs::PageTabs(WindowContext& context, Drawing drawing, std::function<void(c
                    QWidget* parent)
     : QTabWidget(parent),
       context_(context),
-      model_(new ModelPage{context, drawing, std::move(open)}),
+      model_(new ModelPage{context, drawing, open}),
       layers_(new LayersPage{context}),
       carving_(new CarvingPage{context, drawing}),
       ports_(new PortsPage{context}),
@@ -48,7 +49,8 @@ PageTabs::PageTabs(WindowContext& context, Drawing drawing, std::function<void(c
       messages_(new MessagesPage{context}),
       entries_(new EntriesPage{context}),
       messages_or_entries_(new QStackedWidget),
-      profile_(new ProfilePage{context}) {
+      profile_(new ProfilePage{context}),
+      program_(new ProgramPage{context, std::move(open)}) {
     setObjectName("tabs");
     setDocumentMode(true);
     tabBar()->setDrawBase(false);
@@ -61,6 +63,7 @@ PageTabs::PageTabs(WindowContext& context, Drawing drawing, std::function<void(c
     add(realtime_, tr("Real time"));
     add(messages_or_entries_, tr("Messages"));
     add(profile_, tr("Profile"));
+    add(program_, tr("Program"));
     setUsesScrollButtons(true);
 }
 
@@ -95,6 +98,7 @@ void PageTabs::set_theme(const Tokens& tokens) {
     realtime_->set_theme(tokens);
     messages_->set_theme(tokens);
     profile_->set_theme(tokens);
+    program_->set_theme(tokens);
     entries_->set_theme(tokens);
 }
 
@@ -106,6 +110,7 @@ void PageTabs::refresh() {
     realtime_->refresh();
     messages_->refresh();
     profile_->refresh();
+    program_->refresh();
     show_badges();
 }
 
@@ -131,6 +136,7 @@ void PageTabs::show_badges() {
     set_tab_badge(*tabBar(), tab_of(*model_), model_->warning_count(), BadgeTone::warning);
     set_tab_badge(*tabBar(), tab_of(*messages_), unread, tone);
     set_tab_badge(*tabBar(), tab_of(*profile_), profile_->problem_count(), BadgeTone::alarm);
+    set_tab_badge(*tabBar(), tab_of(*program_), program_->error_count(), BadgeTone::alarm);
 }
 
 }  // namespace psicarve::ui

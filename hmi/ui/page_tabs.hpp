@@ -21,6 +21,7 @@ class MessagesPage;
 class ModelPage;
 class PortsPage;
 class ProfilePage;
+class ProgramPage;
 class RealtimePage;
 struct Tokens;
 
@@ -38,6 +39,7 @@ public:
     PortsPage& ports() const noexcept { return *ports_; }
     RealtimePage& realtime() const noexcept { return *realtime_; }
     ProfilePage& profile() const noexcept { return *profile_; }
+    ProgramPage& program() const noexcept { return *program_; }
     bool is_current(const QWidget& page) const;
     void show_page(const QWidget& page);
     /// A recording's entries in the place of the window's messages.
@@ -64,6 +66,7 @@ private:
     EntriesPage* entries_;
     QStackedWidget* messages_or_entries_;
     ProfilePage* profile_;
+    ProgramPage* program_;
 };
 
 }  // namespace psicarve::ui

@@ -74,7 +74,7 @@ QTabWidget::pane { border: 0; border-top: 1px solid @line; background: @panel; }
 QTabBar { background: @panel; }
 QTabBar::tab { background: @panel; color: @text2; padding: 7px 14px; border: 0; border-bottom: 3px solid @panel; }
 QTabBar::tab:selected { color: @text; font-weight: 700; border-bottom: 3px solid @text; }
-#side_names::tab { padding: 7px 8px; }
+#side_names::tab, QTabBar[narrow="yes"]::tab { padding: 7px 8px; }
 QTabBar QLabel[badge] { background: @warn_fill; color: @on_warn; border-radius: 8px; font-size: 11px; font-weight: 700;
     min-width: 8px; min-height: 16px; max-height: 16px; padding: 0 5px; }
 QTabBar QLabel[badge="alarm"] { background: @alarm_fill; color: @on_fill; }

@@ -100,7 +100,7 @@ std::uint64_t UnfinishedBar::job_generation() const {
 /// The next piece may come to the same numbers.
 void UnfinishedBar::forget_dismissed() {
     const session::MachineView& view = context_.machine.view();
-    const bool is_under_way = view.is_heard() && runs_job(view.state());
+    const bool is_under_way = view.is_heard() && view.runs_job();
     if (is_under_way || dismissed_job_ != job_generation()) dismissed_.reset();
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hmi/phrase/error_phrase.hpp"
+#include "hmi/program/program_desk.hpp"
 #include "hmi/replay/replay_session.hpp"
 #include "hmi/session/alarm_bell.hpp"
 #include "hmi/session/carving_watch.hpp"
@@ -46,7 +47,10 @@ struct WindowContext {
           replay(log),
           pins(options.segment_name, options.group, log, saves),
           judge(log),
-          files(options.segment_name, options.group, log, saves) {
+          files(options.segment_name, options.group, log, saves),
+          program(log, options.segment_name, options.group,
+                  {session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")) + "/programs",
+                   options.segment_name}) {
         open_job.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
         files.set_files_in_use([this] {
             std::vector<std::string> open{open_job.path()};
@@ -76,6 +80,8 @@ struct WindowContext {
     session::PinRecorder pins;
     session::TraceJudge judge;
     session::FileSaver files;
+    program::ProgramDesk program;
+    ProgramReport program_report;    ///< of whichever process's program, at the last look
     session::FilePresence presence;  ///< of what menus offer
     session::TimeEstimator estimate{log};
     // What is shown by views that are made anew when the language changes, and outlives them.
@@ -143,6 +149,8 @@ struct WindowContext {
     /// A look at the machine and at what is under way.
     void poll() {
         machine.poll();
+        program_report = machine.program();
+        program.poll(program_report);
         history.poll(log);
         bell.poll(log);
         open_job.poll(machine.view());

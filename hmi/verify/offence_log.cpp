@@ -16,6 +16,7 @@ std::string place_text(const CarvePlace& place) {
     if (place.layer) text += " in layer " + std::to_string(*place.layer);
     if (place.point) text += " at point " + std::to_string(*place.point);
     if (place.pass != nullptr) text += " of the " + pass_name(*place.pass);
+    if (place.line) text += " in line " + std::to_string(*place.line);
     return text;
 }
 
@@ -56,6 +57,7 @@ const char* word_of(Bound bound) {
 void OffenceLog::describe(Offence offence, const CarvePlace& place) {
     offence.layer = place.layer;
     offence.point = place.point;
+    offence.line = place.line;
     if (place.pass != nullptr) offence.pass = pass_name(*place.pass);
     offence.sentence = "rule " + std::to_string(offence.rule) + ": " + offence.sentence + place_text(place) +
                        ", " + time_text(offence.time_ns) + ": " + shown_number(offence.measured) + " " +

@@ -16,7 +16,8 @@ namespace psicarve::verify {
 struct CarvePlace {
     std::optional<std::uint32_t> layer;
     std::optional<std::uint32_t> point;
-    const JobPass* pass = nullptr;  ///< if the job has several
+    const JobPass* pass = nullptr;      ///< if the job has several
+    std::optional<std::uint64_t> line;  ///< of a program
 };
 
 /// Counts breaches and keeps the earliest of each rule. Counting is cheap; only a breach that is kept gets

@@ -106,7 +106,7 @@ void PathRule::aim(std::uint32_t layer, std::uint32_t step) {
     to_ = geometry_.target(layer, step);
     const std::uint32_t point = carved_point(geometry_.job().joining(), geometry_.point_count(), layer, step);
     const auto passes = geometry_.job().passes();
-    place_ = {layer, point, passes.size() > 1 ? &passes[geometry_.job().pass_of(layer)] : nullptr};
+    place_ = {layer, point, passes.size() > 1 ? &passes[geometry_.job().pass_of(layer)] : nullptr, {}};
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         Heading& heading = headings_[h];
         heading.closest.reset();

@@ -32,6 +32,7 @@ Json offence_json(const Offence& offence) {
     json["allowed"] = offence.allowed;
     json["bound"] = name_of(offence.bound);
     json["unit"] = offence.unit;
+    if (offence.line) json["line"] = *offence.line;
     if (!offence.pass.empty()) json["pass"] = offence.pass;
     json["sentence"] = offence.sentence;
     return json;
@@ -45,10 +46,12 @@ std::string layers_text(const VerifyReport& report) {
     return " in layers " + std::to_string(report.first_layer) + " to " + std::to_string(last);
 }
 
-Json rules_json(const VerifyReport& report) {
+}  // namespace
+
+Json rules_json(const RuleResults& results) {
     Json rules = Json::array();
     for (std::size_t r = 0; r < kRuleCount; ++r) {
-        const RuleResult& result = report.rules[r];
+        const RuleResult& result = results[r];
         Json rule;
         rule["rule"] = r + 1;
         rule["ok"] = result.judged ? Json(result.offences == 0) : Json(nullptr);
@@ -59,9 +62,7 @@ Json rules_json(const VerifyReport& report) {
     return rules;
 }
 
-}  // namespace
-
-const Offence* VerifyReport::first_offence() const noexcept {
+const Offence* first_offence_of(const RuleResults& rules) noexcept {
     const Offence* earliest = nullptr;
     for (const RuleResult& rule : rules) {
         if (rule.first && (earliest == nullptr || rule.first->time_ns < earliest->time_ns))
@@ -70,10 +71,21 @@ const Offence* VerifyReport::first_offence() const noexcept {
     return earliest;
 }
 
+std::string offences_text(const RuleResults& rules) {
+    std::string text;
+    for (const RuleResult& result : rules) {
+        if (!result.first) continue;
+        text += "  " + result.first->sentence;
+        if (result.offences > 1) text += " (the first of " + std::to_string(result.offences) + ")";
+        text += "\n";
+    }
+    return text;
+}
+
 std::string report_json(const VerifyReport& report) {
     Json json;
     json["verified"] = report.ok;
-    json["rules"] = rules_json(report);
+    json["rules"] = rules_json(report.rules);
     for (const Axis axis : kAllAxes)
         json["pulses"][std::string(psicarve::name_of(axis))] = report.pulses[index_of(axis)];
     json["points_visited"] = report.points_visited;
@@ -95,13 +107,7 @@ std::string report_json(const VerifyReport& report) {
 std::string report_text(const VerifyReport& report) {
     std::string text = report.ok ? "verified: the pins obey rules 1 to 4 and carve the job\n"
                                  : "not verified: the pins differ from what the job asks\n";
-    for (std::size_t r = 0; r < kRuleCount; ++r) {
-        const RuleResult& result = report.rules[r];
-        if (!result.first) continue;
-        text += "  " + result.first->sentence;
-        if (result.offences > 1) text += " (the first of " + std::to_string(result.offences) + ")";
-        text += "\n";
-    }
+    text += offences_text(report.rules);
     text += "  points " + std::to_string(report.points_visited) + " of " +
             std::to_string(report.points_total) + layers_text(report) + ", largest deviation " +
             std::to_string(report.max_deviation_pulses) + " pulses at points, " +

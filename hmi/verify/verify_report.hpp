@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Offence {
     std::int64_t time_ns = 0;
     std::optional<std::uint32_t> layer;  ///< the layer being carved
     std::optional<std::uint32_t> point;  ///< index in the layer's row
+    std::optional<std::uint64_t> line;   ///< of a program in G-code
     std::string pass;                    ///< "roughing pass 2"; empty: the job has but one
     double measured = 0.0;
     double allowed = 0.0;
@@ -40,6 +42,14 @@ struct RuleResult {
     std::optional<Offence> first;
 };
 
+using RuleResults = std::array<RuleResult, kRuleCount>;
+
+/// The first offence in time, whatever its rule; nullptr when there is none.
+const Offence* first_offence_of(const RuleResults& rules) noexcept;
+nlohmann::ordered_json rules_json(const RuleResults& rules);
+/// A line for each rule's first offence.
+std::string offences_text(const RuleResults& rules);
+
 /// A pass of a job with several, as the trace carved it.
 struct PassTime {
     std::string name;
@@ -49,7 +59,7 @@ struct PassTime {
 
 struct VerifyReport {
     bool ok = false;  ///< every judged rule holds and every point was visited
-    std::array<RuleResult, kRuleCount> rules;
+    RuleResults rules;
     std::array<std::uint64_t, kAxisCount> pulses{};  ///< rising step edges in the whole trace
     std::uint64_t points_visited = 0;                ///< exactly, in order; a point counts for both heads
     std::uint64_t points_total = 0;
@@ -68,8 +78,7 @@ struct VerifyReport {
     std::uint64_t events = 0;
     std::vector<PassTime> passes;  ///< none: the job has but one, or was not carved to its end
 
-    /// The first offence in time, whatever its rule; nullptr when there is none.
-    const Offence* first_offence() const noexcept;
+    const Offence* first_offence() const noexcept { return first_offence_of(rules); }
 };
 
 /// One JSON object, as `psicarve verify --json` prints it.

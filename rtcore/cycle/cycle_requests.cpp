@@ -118,8 +118,8 @@ Refusal Cycle::hold() noexcept {
 }
 
 Refusal Cycle::resume() noexcept {
-    // Of a program that lost its writer nothing is left; one that starves goes on when it is fed.
-    if (program_.hold() == ProgramHold::feeder_lost) return Refusal::not_in_this_state;
+    // Of a program that broke off nothing is left; one that starves goes on when it is fed.
+    if (is_for_good(program_.hold())) return Refusal::not_in_this_state;
     if (program_.is_starved()) return Refusal::none;
     if (!apply(MachineEvent::resume)) return Refusal::not_in_this_state;
     program_.go_on();

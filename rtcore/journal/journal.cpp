@@ -10,6 +10,7 @@
 
 #include "rtcore/journal/journal_facts.hpp"
 #include "shared/machine/machine_state.hpp"
+#include "shared/segment/segment_program.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -40,6 +41,17 @@ JournalFacts facts_of_start(const JournalStart& start) {
 std::string_view ending_of(MachineState last, MachineState entered) noexcept {
     if (entered == MachineState::alarm) return "alarm";
     return last == MachineState::finishing || last == MachineState::carving ? "done" : "stopped";
+}
+
+/// Of one that could only be stopped it tells why.
+std::string_view ending_of_program(MachineState last, MachineState entered, ProgramHold broken) noexcept {
+    const std::string_view how = ending_of(last, entered);
+    if (how != "stopped" || !is_for_good(broken)) return how;
+    return broken == ProgramHold::refused ? "refused" : "feeder lost";
+}
+
+void add_line(JournalFacts& facts, const cycle::Sample& sample) {
+    facts.add("line", static_cast<std::int64_t>(sample.program.line));
 }
 
 }  // namespace
@@ -79,13 +91,20 @@ void Journal::tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t
     if (count > 0) put_always(kind, "left out", tick, std::move(facts));
 }
 
+void Journal::note_program(const Segment& segment, const cycle::Sample& sample) {
+    if (writer_ == nullptr || !is_for_good(sample.program.hold)) return;
+    broken_ = sample.program.hold;
+    const ProgramReport report = program_report(segment);
+    why_broken_ = report.refusal ? report.refusal->said : Message{};
+}
+
 void Journal::note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job) {
     if (writer_ == nullptr) return;
     const FlightRecord& record = report.record;
     switch (record.kind) {
         case RecordKind::alarm: {
             JournalFacts facts = facts_of_alarm(report);
-            if (runs_job(state_)) add_progress(facts, sample);
+            if (runs_job(state_)) is_program_ ? add_line(facts, sample) : add_progress(facts, sample);
             put(JournalKind::alarm, std::string{name_of(static_cast<AlarmCause>(record.code))}, record.tick,
                 std::move(facts));
             break;
@@ -110,12 +129,7 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
     JournalFacts facts;
     // A job begins with its approach.
     if (runs_job(entered)) is_program_ = entered == MachineState::carving;
-    if (is_program_) {
-        if (runs_job(entered)) return put(JournalKind::job, "program started", sample.tick, std::move(facts));
-        facts.add("how", ending_of(before, entered));
-        facts.add("line", static_cast<std::int64_t>(sample.program.line));
-        return put(JournalKind::job, "program ended", sample.tick, std::move(facts));
-    }
+    if (is_program_) return note_program_state(before, entered, sample);
     if (job != nullptr && job->generation == sample.job_generation)
         facts.add("source", job->view.source_name());
     if (runs_job(entered)) {
@@ -126,6 +140,16 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
     facts.add("how", ending_of(before, entered));
     add_progress(facts, sample);
     put(JournalKind::job, "ended", sample.tick, std::move(facts));
+}
+
+void Journal::note_program_state(MachineState before, MachineState entered, const cycle::Sample& sample) {
+    JournalFacts facts;
+    if (runs_job(entered)) return put(JournalKind::job, "program started", sample.tick, std::move(facts));
+    const ProgramHold broken = std::exchange(broken_, ProgramHold::none);
+    facts.add("how", ending_of_program(before, entered, broken));
+    add_line(facts, sample);
+    if (is_for_good(broken)) add_reason(facts, why_broken_);
+    put(JournalKind::job, "program ended", sample.tick, std::move(facts));
 }
 
 void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, const Message& why,

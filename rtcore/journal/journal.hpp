@@ -13,6 +13,7 @@
 #include "rtcore/journal/journal_writer.hpp"
 #include "rtcore/process/side_thread.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/program_status.hpp"
 #include "shared/record/journal.hpp"
 #include "shared/segment/segment.hpp"
 
@@ -32,6 +33,8 @@ class Journal {
 public:
     explicit Journal(const JournalStart& start);
 
+    /// Before the reports that a sample was read for: why a program that is held for good broke off.
+    void note_program(const Segment& segment, const cycle::Sample& sample);
     /// Call it for every report of the tick. `sample`: no older than it; `job`: the current one, or null.
     void note_report(const cycle::Report& report, const cycle::Sample& sample, const LoadedJob* job);
     /// Before the sender is told: afterwards it may be gone.
@@ -49,6 +52,7 @@ public:
 private:
     using Time = std::chrono::steady_clock::time_point;
     void note_state(MachineState entered, const cycle::Sample& sample, const LoadedJob* job);
+    void note_program_state(MachineState before, MachineState entered, const cycle::Sample& sample);
     void put(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts);
     void put_always(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts);
     void tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t tick);
@@ -59,7 +63,9 @@ private:
     std::shared_ptr<JournalWriter> writer_;
     std::array<JournalAllowance, kJournalKindCount> allowances_;
     MachineState state_ = MachineState::off;
-    bool is_program_ = false;  ///< what runs, or ran last, was no job
+    bool is_program_ = false;                 ///< what runs, or ran last, was no job
+    ProgramHold broken_ = ProgramHold::none;  ///< for good, of the program that runs
+    Message why_broken_{};
     std::uint64_t missed_told_ = 0;
     Time next_missed_{};
     std::unique_ptr<rtcore::SideThread> thread_;

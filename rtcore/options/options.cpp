@@ -58,6 +58,12 @@ std::string check_not_empty(const std::string& text) {
     return text.empty() ? "the name is empty" : std::string{};
 }
 
+std::string check_ring(const std::string& text) {
+    std::uint32_t records = 0;
+    if (parse_count(text, records) && is_ring_capacity(records)) return {};
+    return "'" + text + "' is not a power of two from 64 to 65536";
+}
+
 /// Options that are read as words and converted.
 struct Texts {
     std::string port = "sim";
@@ -113,6 +119,13 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
     app.add_option("--capacity", texts.capacity, "Largest job of a new segment, layers x points")
         ->type_name("LAYERSxPOINTS")
         ->default_str("4000x3600");
+    app.add_option(
+           "--program-ring", options.capacity_records,
+           "Records of a program in G-code that wait for the core in a new segment: a power of two, 64 "
+           "to 65536")
+        ->type_name("RECORDS")
+        ->capture_default_str()
+        ->check(check_ring);
     app.add_option("--group", options.group, "Members of this group may use the segment, too (mode 0660)")
         ->type_name("NAME");
     app.add_option("--user", options.user,

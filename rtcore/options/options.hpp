@@ -36,6 +36,7 @@ struct CoreOptions {
     std::string replay_path;               ///< job or snapshot file; empty: serve commands
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
+    std::uint32_t capacity_records = kDefaultRingRecords;  ///< of the ring of a program
     std::string group;
     std::string user;  ///< the user that the core runs as from its start on; empty: the one who started it
     bool exit_with_parent = false;

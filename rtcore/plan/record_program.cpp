@@ -99,8 +99,12 @@ bool RecordProgram::make_blocks() {
                 halt(ProgramHold::feeder_lost, line_);
                 is_ended_ = true;
                 break;
-            case Supply::ended:
             case Supply::refused:
+                come_to_rest();
+                halt(ProgramHold::refused, line_);
+                is_ended_ = true;
+                break;
+            case Supply::ended:
                 come_to_rest();
                 end(line_);
                 break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,6 +14,14 @@
 
 namespace psicarve::program {
 
+/// What a core that begins then numbers its programs from: no number comes twice while the computer runs, so
+/// nobody who outlives a core takes a later core's program for its own. A whole number also in JSON.
+constexpr std::uint64_t first_program_number(std::chrono::steady_clock::time_point began) noexcept {
+    constexpr std::uint64_t kMostPerMillisecond = 1000;
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(began.time_since_epoch()).count();
+    return static_cast<std::uint64_t>(ms) * kMostPerMillisecond;
+}
+
 /// Gives numbers to those who want a program run, makes a program ready for the planner when a command names
 /// it, and tells in the segment how it goes. One program at a time:
 ///
@@ -24,7 +33,9 @@ namespace psicarve::program {
 /// long as the planner reads it.
 class ProgramServer {
 public:
-    explicit ProgramServer(const Profile& profile) : profile_(profile) {}
+    /// `last_program`: the first number that it gives is one more.
+    explicit ProgramServer(const Profile& profile, std::uint64_t last_program = 0)
+        : profile_(profile), last_program_(last_program) {}
 
     /// Each round, with the tick's latest word on its program.
     void serve(const std::shared_ptr<Segment>& segment, const ProgramStatus& status);
@@ -49,7 +60,7 @@ private:
     std::optional<ProgramFeed> feed_;  ///< unless idle
     std::shared_ptr<Source> source_;   ///< of the program that was asked for, with the planner
     Phase phase_ = Phase::idle;
-    std::uint64_t last_program_ = 0;
+    std::uint64_t last_program_;
     ProgramStatus told_{};
 };
 

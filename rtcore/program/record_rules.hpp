@@ -12,8 +12,7 @@
 
 namespace psicarve::program {
 
-/// Nothing takes longer, be it a dwell or a way.
-inline constexpr double kMostSeconds = 86'400.0;
+inline constexpr double kMostSeconds = kMostRecordSeconds;
 /// No machine is so large that a path could pass further from its points.
 inline constexpr double kMostTolerance_mm = 1000.0;
 

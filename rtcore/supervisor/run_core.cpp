@@ -106,6 +106,7 @@ SegmentOptions segment_options_of(const CoreOptions& options) {
     segment.name = options.segment_name;
     segment.capacity_layers = options.capacity_layers;
     segment.capacity_points = options.capacity_points;
+    segment.capacity_records = options.capacity_records;
     segment.group = options.group;
     return segment;
 }
@@ -218,7 +219,7 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
                           .is_simulator = options.port.is_simulated(),
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
                           .missing_sensors_mask = missing_sensors(profile)};
-    program::ProgramServer programs{profile};
+    program::ProgramServer programs{profile, program::first_program_number(std::chrono::steady_clock::now())};
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
     if (!replay) supervisor.set_program_access(access_to(programs));
     if (replay && replay->script) supervisor.refuse_commands(message_of(MessageId::replaying));

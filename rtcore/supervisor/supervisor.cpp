@@ -100,6 +100,7 @@ bool Supervisor::poll(Hearing hearing) {
     check_segment();
     watch_guard();
     watch_sleep();
+    journal_.note_program(*segment_, sample_);
     drain_reports();
     drain_increments();
     watch_recording();
@@ -252,6 +253,7 @@ void Supervisor::drain_reports() {
         if (record.kind != RecordKind::none) flight_log_.append(segment_->header().recorder, record);
         if (record.kind == RecordKind::alarm) mirror_.note_alarm(report);
         if (record.kind == RecordKind::alarm || record.kind == RecordKind::state_change) ++changes_;
+        journal_.note_program(*segment_, sample_);
         journal_.note_report(report, sample_, job_.get());
         if (report.kind != cycle::Report::Kind::answer) continue;
         if (report.sequence == kOwnRequest) continue;

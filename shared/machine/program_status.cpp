@@ -19,6 +19,8 @@ std::string_view name_of(ProgramHold hold) noexcept {
             return "starved";
         case ProgramHold::feeder_lost:
             return "program feeder lost";
+        case ProgramHold::refused:
+            return "program refused";
     }
     return "unknown";  // a number from shared memory may be anything
 }

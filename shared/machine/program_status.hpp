@@ -16,8 +16,13 @@ enum class ProgramHold : std::uint8_t {
     single = 4,       ///< one block at a time: this one is done
     starved = 5,      ///< its next records have not come; it goes on when they do
     feeder_lost = 6,  ///< who wrote its records is gone: nothing is left but to stop
+    refused = 7,      ///< the core did not take a record: nothing is left but to stop
 };
-inline constexpr std::uint8_t kProgramHoldCount = 7;
+inline constexpr std::uint8_t kProgramHoldCount = 8;
+/// Nothing is left of the program: it can only be stopped.
+constexpr bool is_for_good(ProgramHold hold) noexcept {
+    return hold == ProgramHold::feeder_lost || hold == ProgramHold::refused;
+}
 /// "program stop", "tool change", "starved"...; nothing for none.
 std::string_view name_of(ProgramHold hold) noexcept;
 

@@ -30,6 +30,9 @@ inline constexpr std::uint8_t kIsRapid = 1;    ///< a way in the air: the feed's
 inline constexpr std::uint8_t kEndsBlock = 2;  ///< the last record of its block in the program
 inline constexpr std::uint8_t kKnownFlags = kIsRapid | kEndsBlock;
 
+/// Nothing takes longer, be it a dwell or a way: a day.
+inline constexpr double kMostRecordSeconds = 86'400.0;
+
 /// One step of a program, as it stands in the ring between the program's reader and the core. Fixed-size,
 /// without pointers. The core copies a record before it looks at it, and trusts none of its numbers.
 struct MotionRecord {

@@ -75,6 +75,8 @@ ProgramWriter::ProgramWriter(ProgramWriter&& other) noexcept
     : segment_(std::exchange(other.segment_, nullptr)),
       claim_(other.claim_),
       program_(other.program_),
+      core_pid_(other.core_pid_),
+      core_start_time_(other.core_start_time_),
       sequence_(other.sequence_),
       has_end_(other.has_end_),
       ring_(other.ring_) {}
@@ -85,6 +87,8 @@ ProgramWriter& ProgramWriter::operator=(ProgramWriter&& other) noexcept {
     segment_ = std::exchange(other.segment_, nullptr);
     claim_ = other.claim_;
     program_ = other.program_;
+    core_pid_ = other.core_pid_;
+    core_start_time_ = other.core_start_time_;
     sequence_ = other.sequence_;
     has_end_ = other.has_end_;
     ring_ = other.ring_;
@@ -98,14 +102,16 @@ ProgramWriter::~ProgramWriter() {
 Result<void> ProgramWriter::begin(milliseconds limit) {
     ProgramControl& control = segment_->header().program;
     const Clock::time_point deadline = Clock::now() + limit;
-    const std::uint64_t before = program_;
     control.asked.store(claim_);
     event_signal(segment_->header().command_raised);
     for (;;) {
         const std::uint32_t seen = event_count(control.ends.was_taken);
         const auto grant = read_record(control.grant);
-        if (grant && grant->claim == claim_ && grant->program != 0 && grant->program != before) {
+        const bool is_new = grant && (grant->program != program_ || !has_same_core());
+        if (is_new && grant->claim == claim_ && grant->program != 0) {
             program_ = grant->program;
+            core_pid_ = segment_->header().core.pid.load();
+            core_start_time_ = segment_->header().core.start_time.load();
             sequence_ = 0;
             has_end_ = false;
             ring_.emplace(segment_->record_ring(), grant->first);
@@ -132,9 +138,19 @@ bool ProgramWriter::accepts() const noexcept {
     return segment_->header().program.running.load() == program_;
 }
 
+bool ProgramWriter::has_same_core() const noexcept {
+    const ProcessIdentity& core = segment_->header().core;
+    return core_pid_ == 0 || (core.pid.load() == core_pid_ && core.start_time.load() == core_start_time_);
+}
+
+/// Of a program that is not taken any more: a core that begins ends that of the core before, too.
+ProgramPut ProgramWriter::ended() const noexcept {
+    return has_same_core() ? ProgramPut::over : ProgramPut::no_core;
+}
+
 std::optional<ProgramPut> ProgramWriter::refusal() const noexcept {
     if (segment_ == nullptr || !ring_ || has_end_) return ProgramPut::closed;
-    if (!accepts()) return ProgramPut::over;
+    if (!accepts()) return ended();
     return std::nullopt;
 }
 
@@ -158,7 +174,7 @@ ProgramPut ProgramWriter::put(const MotionRecord& record) noexcept {
     if (const auto refused = refusal()) return *refused;
     const auto is_core_there = [this] { return accepts() && segment_->core_pid().has_value(); };
     const RingAnswer answer = ring_->put(signed_copy(record), is_core_there);
-    if (answer == RingAnswer::gone && !accepts() && segment_->core_pid()) return ProgramPut::over;
+    if (answer == RingAnswer::gone && !accepts() && segment_->core_pid()) return ended();
     return outcome(answer, record);
 }
 
@@ -172,7 +188,7 @@ ProgramPut ProgramWriter::put_for(const MotionRecord& record, std::chrono::nanos
     const RingAnswer answer = ring_->put_for(signed_copy(record), limit);
     if (answer != RingAnswer::not_yet) return outcome(answer, record);
     if (!segment_->core_pid()) return ProgramPut::no_core;
-    return accepts() ? ProgramPut::full : ProgramPut::over;
+    return accepts() ? ProgramPut::full : ended();
 }
 
 Error ProgramWriter::error_of(ProgramPut answer) const {

@@ -23,7 +23,7 @@ enum class ProgramPut : std::uint8_t {
     done,
     full,     ///< no room within the time limit; nothing was put
     over,     ///< the core takes no more of this program; program_report() says why
-    no_core,  ///< no core serves the segment any more
+    no_core,  ///< the core that took it serves the segment no more
     damaged,  ///< the ring's words are overwritten
     closed,   ///< the program has no number yet, or its end was put, or it was closed
 };
@@ -63,12 +63,16 @@ private:
     ProgramWriter(Segment& segment, std::uint64_t claim) noexcept : segment_(&segment), claim_(claim) {}
     bool accepts() const noexcept;
     std::optional<ProgramPut> refusal() const noexcept;
+    bool has_same_core() const noexcept;
+    ProgramPut ended() const noexcept;
     MotionRecord signed_copy(const MotionRecord& record) const noexcept;
     ProgramPut outcome(RingAnswer answer, const MotionRecord& record) noexcept;
 
     Segment* segment_ = nullptr;
     std::uint64_t claim_ = 0;
     std::uint64_t program_ = 0;
+    std::uint32_t core_pid_ = 0;  ///< of the core that gave the number; 0: it had not signed yet
+    std::uint64_t core_start_time_ = 0;
     std::uint64_t sequence_ = 0;
     bool has_end_ = false;
     std::optional<RecordWriter> ring_;

@@ -250,6 +250,36 @@ TEST_F(SegmentProgram, ANewCoreTakesNothingOfTheProgramBeforeIt) {
     EXPECT_EQ(program_report(next).progress.program, 0U);
 }
 
+// It would be told that its program is over, and that somebody stopped it.
+TEST_F(SegmentProgram, AWriterThatOutlivesItsCoreHearsThatTheCoreHasEnded) {
+    ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
+    ASSERT_TRUE(open_for(writer).has_value());
+    core_->release_core();
+    Segment next = Segment::attach(name_.get()).value();
+    ASSERT_TRUE(next.claim_core().has_value());
+    next.header().core.start_time.fetch_add(1);  // both are of this process
+
+    for (const ProgramPut answer : {writer.put(numbered_record(1)), writer.try_put(numbered_record(1)),
+                                    writer.put_for(numbered_record(1), milliseconds{1})}) {
+        EXPECT_EQ(answer, ProgramPut::no_core);
+        EXPECT_EQ(writer.error_of(answer).said.id, MessageId::core_ended);
+    }
+}
+
+// Both cores begin to number alike here: the writer must not wait for another number than it gets.
+TEST_F(SegmentProgram, AWriterThatOutlivesItsCoreGetsAProgramOfTheNext) {
+    ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
+    ASSERT_TRUE(open_for(writer).has_value());
+    core_->release_core();
+    ASSERT_TRUE(core_->claim_core().has_value());
+    core_->header().core.start_time.fetch_add(1);
+    desk_.emplace(*core_);
+
+    ASSERT_TRUE(open_for(writer).has_value());
+
+    EXPECT_EQ(writer.put(numbered_record(1)), ProgramPut::done);
+}
+
 TEST_F(SegmentProgram, WhereTheMachineIsIsToldWhole) {
     ProgramStatus status{};
     status.program = 7;

@@ -197,6 +197,16 @@ TEST_F(RunProgram, StopsWithItsOperatorAndCanBeRunAgain) {
     EXPECT_EQ(pulses(Axis::r1), 18'000);
 }
 
+TEST_F(RunProgram, IsFedThroughARingOfTheSizeThatTheCoreWasAskedFor) {
+    start_homed({"--program-ring", "64"});
+    const auto segment = Segment::attach(segment_);
+    ASSERT_TRUE(segment);
+    EXPECT_EQ(segment->header().capacity_records, 64U);
+    const Outcome done = run({"gcode", "run", program(long_program(1000))});
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_EQ(program_status().line, 1003U);
+}
+
 TEST_F(RunProgram, RefusesASecondWriterAndNamesTheFirst) {
     start_homed();
     const auto running = begin({program(long_program(200'000))});
@@ -219,6 +229,58 @@ TEST_F(RunProgram, HoldsWhereItsReaderWasKilled) {
     ASSERT_EQ(run({"stop"}).exit_code, 0);
     EXPECT_EQ(state(), MachineState::ready);
     EXPECT_EQ(run({"gcode", "run", program("G21 G90 F300\nG0 X45\nM2\n")}).exit_code, 0);
+}
+
+TEST_F(RunProgram, TellsInWhichLineItsCoreDied) {
+    start_homed();
+    const auto running = begin({program("G21 G90 F300\nM3\nG0 X40\nM0\nG0 X41\nM2\n")});
+    ASSERT_TRUE(comes_to_hold(ProgramHold::program));
+    core_->send(SIGKILL);
+    core_->wait();
+    const Outcome status = run({"status"});
+    EXPECT_EQ(status.exit_code, 5);
+    EXPECT_NE(status.error.find("the last one left it held in line 4 of its program"), std::string::npos)
+        << status.error;
+    EXPECT_EQ(running->wait(), 5) << running->error();
+}
+
+// As where its reader is killed, but that line and reason are told.
+TEST_F(RunProgram, HoldsWhereTheCoreRefusesARecord) {
+    const std::vector<std::string> kept{"--state", file("state")};
+    start_homed(kept);
+    auto segment = Segment::attach(segment_);
+    ASSERT_TRUE(segment);
+    auto writer = ProgramWriter::claim(*segment);
+    ASSERT_TRUE(writer && writer->begin(milliseconds{60'000}));
+    MotionRecord spindle{};
+    spindle.kind = MotionKind::spindle;
+    spindle.line = 2;
+    spindle.code = 1;
+    MotionRecord dwell{};
+    dwell.kind = MotionKind::dwell;
+    dwell.line = 3;
+    dwell.seconds = -1.0;
+    ASSERT_EQ(writer->put(spindle), ProgramPut::done);
+    ASSERT_EQ(writer->put(dwell), ProgramPut::done);
+    Command command{};
+    command.kind = CommandKind::program;
+    command.value2 = writer->program();
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        command.target[k] = static_cast<double>(status().position_pulses[k]);
+    ASSERT_TRUE(send_command(*segment, command, milliseconds{60'000}));
+    ASSERT_TRUE(comes_to_hold(ProgramHold::refused));
+    EXPECT_NE(status().signals & bit_of(Signal::spindle), 0U);
+    const std::string said = "held, program refused (line 3: a way or dwell takes no time below zero";
+    EXPECT_NE(run({"status"}).out.find(said), std::string::npos) << run({"status"}).out;
+    EXPECT_NE(run({"resume"}).exit_code, 0);
+    EXPECT_EQ(program_status().hold, ProgramHold::refused);
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    EXPECT_EQ(state(), MachineState::ready);
+    EXPECT_EQ(status().signals & bit_of(Signal::spindle), 0U);
+    const auto log = [&] { return run({"log", "--state", file("state"), "--kind", "job"}).out; };
+    EXPECT_TRUE(eventually([&] {
+        return log().find("program ended: refused at line 2; line 3: a way or dwell") != std::string::npos;
+    })) << log();
 }
 
 // How quickly the reader writes, and whether it is stopped in between, does not show in the pulses.

@@ -11,10 +11,22 @@
 namespace psicarve::gcode {
 namespace {
 
+/// Nothing is known of a machine.
+struct NoState : ProgramState {
+    StateAnswer numbered(std::uint32_t /*number*/) const override { return {}; }
+    StateAnswer named(std::string_view /*name*/) const override { return {}; }
+};
+
+std::optional<Problem> read_alone(std::string_view line, std::uint64_t number, Block& block) {
+    const NoState state;
+    Parameters parameters{state};
+    return read_block(line, number, parameters, {}, block);
+}
+
 /// "G0@1 X1.5@4" of a line that can be read.
 std::string words_in(std::string_view line) {
     Block sut;
-    const auto wrong = read_block(line, 1, sut);
+    const auto wrong = read_alone(line, 1, sut);
     EXPECT_FALSE(wrong.has_value()) << line;
     std::string text;
     for (const Word& word : sut.words()) {
@@ -42,10 +54,10 @@ TEST(BlockReader, LeavesOutCommentsAndCountsTheirBytes) {
 
 TEST(BlockReader, KnowsADeletedBlock) {
     Block sut;
-    EXPECT_FALSE(read_block(" /G1", 4, sut).has_value());
+    EXPECT_FALSE(read_alone(" /G1", 4, sut).has_value());
     EXPECT_TRUE(sut.is_deleted());
     EXPECT_EQ(sut.line(), 4U);
-    EXPECT_FALSE(read_block("G1", 5, sut).has_value());
+    EXPECT_FALSE(read_alone("G1", 5, sut).has_value());
     EXPECT_FALSE(sut.is_deleted());
 }
 
@@ -59,9 +71,9 @@ TEST(BlockReader, HasRoomForTheLongestLine) {
     std::string line;
     while (line.size() < kMostLineBytes) line += "G1";
     Block sut;
-    EXPECT_FALSE(read_block(line, 1, sut).has_value());
+    EXPECT_FALSE(read_alone(line, 1, sut).has_value());
     EXPECT_EQ(sut.words().size(), kMostLineBytes / 2);
-    EXPECT_EQ(read_block(line + " ", 1, sut)->code, ProblemCode::line_too_long);
+    EXPECT_EQ(read_alone(line + " ", 1, sut)->code, ProblemCode::line_too_long);
 }
 
 TEST(NumberReader, IsRightToTheLastBit) {

@@ -62,6 +62,16 @@ TEST(MachineCheck, DoesNotTakeAnUnknownPlaceForZero) {
     EXPECT_EQ(faults_of("G10 L20 P2 Y0\nG0 Y-5\nM2\n"), Faults{"2:4 outside_travel"});
 }
 
+// The core refuses the record; until then the program would have run.
+TEST(MachineCheck, RefusesDwellsAndWaysLongerThanADay) {
+    EXPECT_EQ(faults_of("G4 P86400\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G0 X20\nG4 P86401\nM2\n"), Faults{"2:1 out_of_range"});
+    EXPECT_EQ(faults_of("G0 X20 Y20\nG1 Y21 F.001\nM2\n"), Faults{});
+    EXPECT_EQ(faults_of("G0 X20 Y20\nG1 Y30 F.001\nG0 Y20\nM2\n"), Faults{"2:4 out_of_range"});
+    EXPECT_EQ(faults_of("G0 X20 Y20\nG93 G1 Y21 F.0001\nM2\n"), Faults{"2:8 out_of_range"});
+    EXPECT_EQ(faults_of("G0 X20 Y20\nG2 X40 Y20 I10 F.001\nM2\n"), Faults{"2:4 out_of_range"});
+}
+
 TEST(MachineCheck, WarnsOfWhatTheMachineCannotSwitchAndTheProgramIsRight) {
     const Profile profile;
     const auto read = read_program("S100 M3\nM8\nM9\nM2\n", {}, &profile);

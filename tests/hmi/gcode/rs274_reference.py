@@ -2,10 +2,11 @@
 """Canonical motion of LinuxCNC's interpreter, as psicarve's --canon writes it, and random programs to compare.
 
 usage: rs274_reference.py write [--rs274 FILE]
-       rs274_reference.py compare --psicarve FILE [--rs274 FILE] [--count N] [--seed N]
+       rs274_reference.py compare --psicarve FILE [--rs274 FILE] [--count N] [--seed N] [--flow]
 
 write    makes tests/data/gcode/reference/ anew from tests/data/gcode/good/
-compare  runs random valid programs through both and tells every difference; exit code 1 if there is one
+compare  runs random valid programs through both and tells every difference; exit code 1 if there is one;
+         --flow: programs with parameters, expressions and O words
 
 rs274 comes with Debian's linuxcnc-uspace. It need not be installed: unpack the package and what it links with
 `dpkg-deb -x`, and name the folder of its libraries in LD_LIBRARY_PATH.
@@ -19,6 +20,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+from rs274_flow import RandomFlow
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data" / "gcode"
 CALL = re.compile(r"^\s*\d+\s+N\S*\s+([A-Z0-9_]+)\((.*)\)$")
@@ -358,12 +361,12 @@ class RandomProgram:
         return "\n".join(self.lines + ["M2", ""])
 
 
-def compare(psicarve, rs274, count, seed):
+def compare(psicarve, rs274, count, seed, kind):
     different = refused = 0
     for number in range(count):
-        made = RandomProgram(random.Random(seed * 1_000_003 + number))
+        made = kind(random.Random(seed * 1_000_003 + number))
         with tempfile.NamedTemporaryFile("w", suffix=".ngc") as file:
-            file.write(made.text())
+            file.write(text := made.text())
             file.flush()
             theirs, said = reference_of(rs274, file.name)
             ours, errors = ours_of(psicarve, file.name)
@@ -375,7 +378,7 @@ def compare(psicarve, rs274, count, seed):
         if found:
             different += 1
             print(f"program {number}: {found}")
-            pathlib.Path(tempfile.gettempdir(), f"gcode_different_{number}.ngc").write_text(made.text())
+            pathlib.Path(tempfile.gettempdir(), f"gcode_different_{number}.ngc").write_text(text)
     print(f"{count} programs, {different} differ, {refused} refused by both")
     return 1 if different else 0
 
@@ -387,10 +390,11 @@ def main():
     parser.add_argument("--psicarve")
     parser.add_argument("--count", type=int, default=5000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--flow", action="store_const", const=RandomFlow, default=RandomProgram)
     given = parser.parse_args()
     if given.what == "write":
         return write(given.rs274)
-    return compare(given.psicarve, given.rs274, given.count, given.seed)
+    return compare(given.psicarve, given.rs274, given.count, given.seed, given.flow)
 
 
 sys.exit(main())

@@ -95,6 +95,32 @@ TEST(JournalMessage, TellsOfCoresAndJobs) {
               "9 more came too fast to be written down");
 }
 
+TEST(JournalMessage, TellsHowAProgramEndedAndInWhichLine) {
+    const auto program = [](const std::string& what, const JournalFacts& facts) {
+        return told_of(JournalKind::job, what, facts);
+    };
+    const auto ended = [&](const std::string& how) {
+        return program("program ended", JournalFacts{}.add("how", how).add("line", 12));
+    };
+    EXPECT_EQ(in_english(program("program started", {}).what), "Program begun");
+    EXPECT_EQ(in_english(ended("done").what), "Program done, up to line 12");
+    EXPECT_EQ(ended("done").severity, Severity::info);
+    EXPECT_EQ(in_english(ended("stopped").what), "Program stopped in line 12");
+    EXPECT_EQ(in_english(ended("alarm").what), "Program ended by an alarm in line 12");
+    EXPECT_EQ(in_english(ended("feeder lost").what), "Program broke off behind line 12: its reader was gone");
+    EXPECT_EQ(ended("feeder lost").severity, Severity::warning);
+    const auto refused = program("program ended", JournalFacts{}
+                                                      .add("how", "refused")
+                                                      .add("line", 12)
+                                                      .add("message", "program_goes_on_after_end")
+                                                      .add("arguments", "d"));
+    EXPECT_NE(in_english(refused.what).find("Program broke off behind line 12: "), std::string::npos)
+        << in_english(refused.what);
+    EXPECT_EQ(refused.severity, Severity::warning);
+    const auto alarm = told_of(JournalKind::alarm, "limit", JournalFacts{}.add("axis", "r2").add("line", 12));
+    EXPECT_EQ(in_english(alarm.what), "Limit switch R2 closed (line 12 of the program)");
+}
+
 // Whoever may write to the folder.
 TEST(JournalMessage, TrustsNoValue) {
     for (const JournalKind kind :

@@ -214,6 +214,33 @@ TEST_P(Fit, WithPositionsInPulses) {
     expect_fit("pulses");
 }
 
+TEST_P(Fit, WithAProgramThatIsHeld) {
+    open_small();
+    core_->send_signal(SIGSTOP);  // its words are ours
+    auto status = load_words<CoreStatus>(segment_->header().status.words);
+    status.state = MachineState::held;
+    status.homed_mask = 0xF;
+    ProgramStatus program{};
+    program.program = 1;
+    program.line = 10'000'000;
+    program.is_running = 1;
+    for (std::uint8_t number = 0; number < kProgramHoldCount; ++number) {
+        const auto hold = static_cast<ProgramHold>(number);
+        program.hold = hold;
+        write_record(segment_->header().program.status, program);
+        auto& panels = part<QTabBar>("side_names");
+        for (int panel = 0; panel < (panels.isVisible() ? panels.count() : 1); ++panel) {
+            panels.setCurrentIndex(panel);
+            ASSERT_TRUE(comes_true([&] {
+                ++status.heartbeat;
+                write_record(segment_->header().status, status);
+                return machine_view().runs_program() && machine_view().program.hold == hold;
+            }));
+            expect_fit("program_" + QString::number(number) + "_panel_" + QString::number(panel + 1));
+        }
+    }
+}
+
 TEST_P(Fit, WithOrdersThatWereRefused) {
     open_small();
     window_->emergency_stop();

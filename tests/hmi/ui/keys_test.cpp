@@ -94,7 +94,7 @@ TEST_F(Keys, PauseHoldsFromADialogAndItsListIsShutByItsButton) {
 
 TEST_F(Keys, GoToPagesLayerNumberAndPanes) {
     open_in_front();
-    for (int i = 6; i >= 0; --i) {
+    for (int i = 7; i >= 0; --i) {
         press_key(static_cast<Qt::Key>(Qt::Key_1 + i), Qt::ControlModifier);
         EXPECT_EQ(page(), i);
     }

@@ -28,7 +28,7 @@
 namespace psicarve::ui {
 namespace {
 
-constexpr int kPages = 7;
+constexpr int kPages = 8;
 using PageTexts = std::array<std::set<QString>, kPages>;
 
 class LanguageChange : public test::PagesRig {

@@ -175,6 +175,20 @@ def a_job(place):
     place.picture("operator_alarm")
 
 
+def a_program(place):
+    path = os.path.join(place.scratch, "pocket.ngc")
+    with open(path, "w", encoding="utf-8") as program:
+        program.write("G21 G90 G17\nG0 X48 Z48 Y10 C0\nM3\nG1 F400 X30\nG1 Y60 C720\nG2 X36 Y66 I6 J0\n"
+                      "S8000\nG1 X44 Y40\nG1 X101\nG0 X48\nM5\nM2\n")
+    place.start_core()
+    place.open_window(path)
+    place.click("home")
+    place.reaches("ready")
+    place.click("program_again")
+    place.let_go_of_mouse()
+    place.picture("program")
+
+
 def a_replay(place):
     job, trace = (os.path.join(place.scratch, "owl." + kind) for kind in ("job", "trace"))
     psicarve = place.build + "/bin/psicarve"
@@ -204,6 +218,7 @@ def main():
             by_hand(place)
             a_job(place)
             a_replay(place)
+            a_program(place)
         finally:
             place.end()
 

@@ -187,15 +187,24 @@ TEST(Program, ThatLostItsWriterRunsWhatItHasAndCanOnlyBeStopped) {
     EXPECT_EQ(sut.program().line, 2U);
 }
 
-TEST(Program, WithARefusedRecordRunsAllBeforeItAndEnds) {
+// Its spindle may stand in the cut: what it does there is for the operator to say.
+TEST(Program, WithARefusedRecordRunsAllBeforeItAndCanOnlyBeStopped) {
     ProgramRig sut;
     Script script{sut.positions()};
     script.spindle(true).way({-50, 0, 0, 0}, 0.01);
     sut.give(script.steps, Supply::refused);
     ASSERT_EQ(sut.start(), Refusal::none);
-    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    ASSERT_TRUE(sut.run_until(MachineState::held));
     EXPECT_EQ(sut.positions(), script.at());
+    EXPECT_TRUE(sut.is_spindle_on());
+    EXPECT_EQ(sut.program().hold, ProgramHold::refused);
+    EXPECT_EQ(sut.program().line, 2U);
+    EXPECT_EQ(sut.ask(RequestKind::resume), Refusal::not_in_this_state);
+    EXPECT_EQ(sut.program().hold, ProgramHold::refused);
+    sut.stop();
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
     EXPECT_FALSE(sut.is_spindle_on());
+    EXPECT_EQ(sut.program().is_done, 0U);
 }
 
 TEST(Program, StopsWhereverItIs) {

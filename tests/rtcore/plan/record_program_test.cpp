@@ -202,12 +202,8 @@ TEST(RecordProgram, RunsAllThatItHasBeforeALossOrARefusal) {
         std::int64_t way = 0;
         for (const MotionBlock& block : blocks) way += block.delta_pulses[0];
         EXPECT_EQ(way, 60);
-        if (how == Supply::lost) {
-            EXPECT_EQ(blocks.back().kind, BlockKind::halt);
-            EXPECT_EQ(blocks.back().halt, ProgramHold::feeder_lost);
-        } else {
-            EXPECT_EQ(blocks.back().kind, BlockKind::program_end);
-        }
+        EXPECT_EQ(blocks.back().kind, BlockKind::halt);
+        EXPECT_EQ(blocks.back().halt, how == Supply::lost ? ProgramHold::feeder_lost : ProgramHold::refused);
         EXPECT_EQ(program_line(blocks.back()), 2U);
     }
 }

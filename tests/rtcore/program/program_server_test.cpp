@@ -2,6 +2,7 @@
 // Who gets a number, when a program is over, and that the planner then reads no ring any more.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -66,6 +67,15 @@ protected:
     ProgramStatus status_{};
     ProgramServer sut_{Profile{}};
 };
+
+// Also where the core before gave a thousand in its last second.
+TEST(ProgramNumbers, OfALaterCoreAreGreaterAndExactInJson) {
+    using Time = std::chrono::steady_clock::time_point;
+    using namespace std::chrono_literals;
+    EXPECT_EQ(first_program_number(Time{}), 0U) << "the first that is given is one more";
+    EXPECT_GT(first_program_number(Time{17s + 1s}), first_program_number(Time{17s}) + 1000);
+    EXPECT_LT(first_program_number(Time{24h * 365 * 20}), std::uint64_t{1} << 53U);
+}
 
 TEST_F(ProgramServing, GivesTheStepsOfTheProgramThatHasItsNumberAndOfNoOther) {
     ProgramWriter writer = begun();

@@ -33,18 +33,20 @@ TEST(CoreOptions, DefaultsServeTheUsualSegmentOnTheSimulator) {
     EXPECT_EQ(sut.clock, ClockKind::real);
     EXPECT_EQ(sut.capacity_layers, 4000U);
     EXPECT_EQ(sut.capacity_points, 3600U);
+    EXPECT_EQ(sut.capacity_records, 8192U);
 }
 
 TEST(CoreOptions, TakeEveryOptionAndTwoTraces) {
-    const auto parsed =
-        parse({"--segment", "/x", "--clock", "virtual", "--profile", "p.toml", "--trace", "a.vcd", "--trace",
-               "fd:5", "--capacity", "12x34", "--replay", "j", "--exit-with-parent"});
+    const auto parsed = parse({"--segment", "/x", "--clock", "virtual", "--profile", "p.toml", "--trace",
+                               "a.vcd", "--trace", "fd:5", "--capacity", "12x34", "--program-ring", "256",
+                               "--replay", "j", "--exit-with-parent"});
     const auto& sut = std::get<CoreOptions>(parsed);
     EXPECT_EQ(sut.segment_name, "/x");
     EXPECT_EQ(sut.clock, ClockKind::virtual_time);
     EXPECT_EQ(sut.trace_paths, (std::vector<std::string>{"a.vcd", "fd:5"}));
     EXPECT_EQ(sut.capacity_layers, 12U);
     EXPECT_EQ(sut.capacity_points, 34U);
+    EXPECT_EQ(sut.capacity_records, 256U);
     EXPECT_TRUE(sut.exit_with_parent);
 }
 
@@ -54,6 +56,8 @@ TEST(CoreOptions, RefuseWrongUsageWithExitCodeTwo) {
     EXPECT_EQ(exit_code_of({"--segment", "noslash"}), 2);
     EXPECT_EQ(exit_code_of({"--segment", "/a/b"}), 2);
     EXPECT_EQ(exit_code_of({"--capacity", "0x5"}), 2);
+    for (const char* records : {"0", "63", "100", "131072", "-64", "many", "64.5"})
+        EXPECT_EQ(exit_code_of({"--program-ring", records}), 2) << records;
     EXPECT_EQ(exit_code_of({"--capacity", "5"}), 2);
     EXPECT_EQ(exit_code_of({"--capacity", "5x5x"}), 2);
     EXPECT_EQ(exit_code_of({"--trace", ""}), 2);

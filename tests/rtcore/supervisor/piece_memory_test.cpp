@@ -128,6 +128,28 @@ TEST_F(PieceMemoryTest, AStartOfWhichTheSegmentKnowsNothingIsAnnouncedWhereTheDi
     EXPECT_EQ(layer_on_disk(), 1U);
 }
 
+// The machine carves it as it does a job, and the sample still has the figures of the job that ran before.
+TEST_F(PieceMemoryTest, AProgramLeavesThePiecesRecordAsItIs) {
+    for (const std::uint64_t carve_first_tick : {0, 150}) {
+        leave_on_disk(2);
+        leave_in_segment(after(2));
+        {
+            PieceMemory sut{place()};
+            sut.enter(*header_);
+            sut.take_job(*header_, vase_);
+            cycle::Sample sample = carving_from(0, MachineState::carving);
+            sample.carve_first_tick = carve_first_tick;
+            sample.program.is_running = 1;
+            sut.note(*header_, sample, vase_);
+            sample.program.is_running = 0;
+            sample.state = MachineState::ready;
+            sut.note(*header_, sample, vase_);
+        }
+        EXPECT_EQ(layer_on_disk(), 2U) << carve_first_tick;
+        EXPECT_EQ(in_segment().next_layer, 2U) << carve_first_tick;
+    }
+}
+
 TEST_F(PieceMemoryTest, AStartThatIsAbortedBeforeItCarvesLeavesTheDisksRecord) {
     const auto cup = test::job_called("cup.stl");
     const Checkpoint of_cup = checkpoint_at(cup->checksum, 1, cup->view.layer_count());

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/program/decoding.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "hmi/gcode/machine_check.hpp"
+
+namespace psicarve::program {
+namespace {
+
+using gcode::CanonKind;
+using gcode::CanonRecord;
+
+constexpr int kGivesWayToMachine = 10;
+constexpr std::size_t kRestBytes = std::size_t{1} << 16U;
+
+/// Notes what stands before a line.
+class ApproachFinder : public gcode::CanonSink {
+public:
+    ApproachFinder(const gcode::AxisLetters& letters, std::uint32_t from_line) noexcept
+        : letters_(letters), from_line_(from_line) {}
+
+    void take(const CanonRecord& record) override {
+        is_there_ = is_there_ || record.line >= from_line_;
+        if (is_there_) return;
+        if (record.kind == CanonKind::spindle) found_.is_spindle_on = record.code == 3;
+        const bool moves = record.kind == CanonKind::rapid || record.kind == CanonKind::feed ||
+                           record.kind == CanonKind::arc;
+        if (!moves) return;
+        for (const Axis axis : kAllAxes) {
+            const std::size_t letter = letters_.letter_of(axis);
+            found_.place[index_of(axis)] = record.end[letter];
+            if ((record.placed & gcode::mask_of(letter)) != 0)
+                found_.placed = static_cast<std::uint8_t>(found_.placed | 1U << index_of(axis));
+        }
+    }
+    const Approach& found() const noexcept { return found_; }
+
+private:
+    gcode::AxisLetters letters_;
+    std::uint32_t from_line_;
+    bool is_there_ = false;
+    Approach found_;
+};
+
+/// Gives canonical motion to all who want it, as long as it is wanted.
+class DecodeSinks : public gcode::CanonSink {
+public:
+    DecodeSinks(std::array<gcode::CanonSink*, 3> sinks, const DecodeProgress& progress) noexcept
+        : sinks_(sinks), progress_(progress) {}
+
+    void take(const CanonRecord& record) override {
+        for (gcode::CanonSink* const sink : sinks_) sink->take(record);
+    }
+    bool wants_more() const noexcept override { return !progress_.is_cancelled.load(); }
+
+private:
+    std::array<gcode::CanonSink*, 3> sinks_;
+    const DecodeProgress& progress_;
+};
+
+gcode::ByteSource counted(gcode::ByteSource bytes, LineIndex& lines, DecodeProgress& progress) {
+    return [bytes = std::move(bytes), &lines, &progress](std::span<char> room) -> Result<std::size_t> {
+        if (progress.is_cancelled.load()) return Error{ErrorCode::cancelled, "cancelled"};
+        auto got = bytes(room);
+        if (!got) return got;
+        lines.note(room.first(*got));
+        progress.bytes_done.fetch_add(*got);
+        return got;
+    };
+}
+
+gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode::AxisLetters& letters) {
+    gcode::InterpreterOptions how;
+    how.skips_deleted = request.skips_deleted;
+    how.reference = gcode::MachineCheck::reference_of(request.profile);
+    how.is_start_known = request.start.has_value();
+    // r1 last: where r2 follows it, one letter stands for both.
+    for (const Axis axis : {Axis::r2, Axis::psi, Axis::y, Axis::r1}) {
+        if (request.start) how.start[letters.letter_of(axis)] = (*request.start)[index_of(axis)];
+    }
+    return how;
+}
+
+}  // namespace
+
+Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& progress) {
+    auto decoded = std::make_shared<Decoded>();
+    decoded->request = request;
+    const auto state = gcode::state_of_program(request.path);
+    if (!state) return state.error();
+    decoded->state = *state;
+    progress.bytes_total.store(static_cast<std::uint64_t>(std::max<std::int64_t>(state->bytes, 0)));
+    auto opened = gcode::open_unchanged_program(request.path, *state);
+    if (!opened) return opened.error();
+    const gcode::ByteSource bytes = counted(std::move(opened).value(), decoded->lines, progress);
+    const gcode::AxisLetters letters{request.profile.gcode};
+    gcode::MachineCheck machine{request.profile, decoded->problems};
+    PathSketch sketch{letters};
+    ApproachFinder approach{letters, std::max(request.from_line, 1U)};
+    DecodeSinks sinks{{&machine, &sketch, &approach}, progress};
+    gcode::LineSource lines{bytes};
+    const auto facts =
+        gcode::interpret_program(lines, language_for(request, letters), sinks, decoded->problems);
+    if (!facts) return facts.error();
+    decoded->facts = *facts;
+    // What stands behind its end is shown, too.
+    std::vector<char> rest(kRestBytes);
+    for (;;) {
+        const auto got = bytes({rest.data(), rest.size()});
+        if (!got) return got.error();
+        if (*got == 0) break;
+    }
+    decoded->path = sketch.finished();
+    decoded->approach = approach.found();
+    return DecodedPointer{std::move(decoded)};
+}
+
+void Decoder::begin(const DecodeRequest& request) {
+    cancel();
+    path_ = request.path;
+    progress_ = std::make_shared<DecodeProgress>();
+    work_ = {};
+    work_.begin([decode = decode_, request, progress = progress_] {
+        ::setpriority(PRIO_PROCESS, 0, kGivesWayToMachine);  // of this thread
+        return decode(request, *progress);
+    });
+}
+
+void Decoder::cancel() noexcept {
+    if (progress_) progress_->is_cancelled.store(true);
+}
+
+double Decoder::progress_ratio() const noexcept {
+    if (!progress_) return 0.0;
+    const auto total = static_cast<double>(progress_->bytes_total.load());
+    return total > 0.0 ? std::min(static_cast<double>(progress_->bytes_done.load()) / total, 1.0) : 0.0;
+}
+
+}  // namespace psicarve::program

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace psicarve::program {
+
+/// How the operator wants a program to run.
+struct RunSwitches {
+    bool is_single = false;          ///< holds behind each block
+    bool stops_at_optional = false;  ///< holds at M1
+    bool skips_deleted = false;      ///< leaves out blocks that begin with /
+    bool is_dry = false;             ///< spindle off, heads outside the blank
+    std::uint32_t from_line = 1;
+};
+
+/// By its name: *.ngc, *.nc, *.gcode, *.tap, *.cnc.
+bool is_program_file(const std::string& path);
+
+/// A program, and the machine that is to run it.
+struct RunRequest {
+    std::string file;  ///< an absolute path
+    RunSwitches switches;
+    std::string segment_name;
+    std::string group;         ///< empty: none
+    std::string profile_path;  ///< of the core's profile
+};
+
+/// What `psicarve` is started with, its own path first.
+std::vector<std::string> arguments_of(const std::string& psicarve, const RunRequest& request);
+
+}  // namespace psicarve::program

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of ProgramRule that judges and tells.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "hmi/verify/program/program_rule.hpp"
+
+namespace psicarve::verify {
+namespace {
+
+/// A path that passes a place at rest by less than this was to reach it.
+constexpr std::int64_t kNearPulses = 64;
+constexpr std::int64_t kSlackTicks = 2;
+/// Ways are judged by their time when they are so many tolerances long, or end at rest.
+constexpr double kTolerancesAStretch = 20.0;
+/// Less than that is a matter of whole pulses in whole ticks.
+constexpr double kHardlyLowered = 0.98;
+
+}  // namespace
+
+void ProgramRule::report(std::int64_t time_ns, Offence offence, std::uint64_t line) {
+    offence.rule = 1;
+    offence.time_ns = time_ns;
+    CarvePlace place;
+    place.line = line;
+    log_.describe(std::move(offence), place);
+}
+
+/// Way after way, in their order.
+void ProgramRule::note_time(const Live& way) {
+    Stretch& all = stretch_;
+    if (all.ways++ == 0) {
+        all.begun_ns = way.begun_ns.value_or(way.ended_ns);
+        all.first_line = way.demand.line;
+    }
+    const double wanted_s = way.demand.seconds / program_.override_ratio;
+    const double length_mm = way.demand.way.length_mm();
+    all.asked_s += way.demand.seconds;
+    all.length_mm += length_mm;
+    all.tolerance_mm = std::max(all.tolerance_mm, way.demand.tolerance_mm);
+    if (length_mm > 0.0) all.slowest_s_per_mm = std::max(all.slowest_s_per_mm, wanted_s / length_mm);
+    all.pulse_s = std::max(all.pulse_s, wanted_s / way.demand.way.most_pulses());
+    if (!way.demand.is_exact && all.length_mm < kTolerancesAStretch * all.tolerance_mm) return;
+    judge_time(way);
+    all = {};
+    all.is_from_rest = way.demand.is_exact;
+}
+
+/// Half a pulse is missing at each end, ticks are whole, and where the path does not rest, it passes an end
+/// somewhere within the tolerance.
+void ProgramRule::judge_time(const Live& way) {
+    const int passed_ends = (stretch_.is_from_rest ? 0 : 1) + (way.demand.is_exact ? 0 : 1);
+    const double wanted_s = stretch_.asked_s / program_.override_ratio;
+    const double slack_s = 2.0 * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
+                           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm;
+    const double taken_s = seconds_from_ns(way.ended_ns - stretch_.begun_ns);
+    if (wanted_s > 0.0) note_lowered(way, taken_s - slack_s);
+    if (taken_s >= wanted_s - slack_s || !log_.count(1, way.ended_ns)) return;
+    Offence offence;
+    offence.fault = "feed";
+    offence.measured = taken_s;
+    offence.allowed = wanted_s;
+    offence.bound = Bound::at_least;
+    offence.unit = "s";
+    offence.sentence = stretch_.ways == 1 ? "a way took less time than its feed asks for"
+                                          : std::to_string(stretch_.ways) +
+                                                " ways took less time than their feeds ask for, the last";
+    report(way.ended_ns, std::move(offence), way.demand.line);
+}
+
+void ProgramRule::note_lowered(const Live& way, double taken_s) {
+    if (stretch_.asked_s >= kHardlyLowered * taken_s) return;
+    lowered_s_ += taken_s - stretch_.asked_s;
+    const LoweredFeed now{stretch_.first_line, way.demand.line, stretch_.asked_s, taken_s};
+    const auto worse = [](const LoweredFeed& one, const LoweredFeed& other) {
+        return one.lost_s() > other.lost_s();
+    };
+    const auto at = std::upper_bound(lowered_.begin(), lowered_.end(), now, worse);
+    if (at == lowered_.end() && lowered_.size() == kMostLowered) return;
+    lowered_.insert(at, now);
+    if (lowered_.size() > kMostLowered) lowered_.pop_back();
+}
+
+void ProgramRule::judge_rest(const Live& way, std::int64_t time_ns) {
+    const double rested_s = seconds_from_ns(time_ns - way.ended_ns + kSlackTicks * tick_ns_);
+    if (rested_s >= way.demand.dwell_s || !log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "dwell";
+    offence.measured = seconds_from_ns(time_ns - way.ended_ns);
+    offence.allowed = way.demand.dwell_s;
+    offence.bound = Bound::at_least;
+    offence.unit = "s";
+    offence.sentence = "the rest behind a way is too short";
+    report(time_ns, std::move(offence), way.demand.line);
+}
+
+/// Where every way that the path may be on asks for it.
+void ProgramRule::judge_spindle(std::int64_t time_ns, bool spindle_on) {
+    if (spindle_on) return;
+    for (const Live& way : window_) {
+        // At a rest it may be switched.
+        if (way.is_on && (!way.demand.needs_spindle || way.is_at_end)) return;
+    }
+    if (!log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "spindle";
+    offence.measured = 0.0;
+    offence.allowed = 1.0;
+    offence.bound = Bound::exactly;
+    offence.unit = "on";
+    offence.sentence = "the spindle is off on a way for which the program has it on";
+    report(time_ns, std::move(offence), window_.front().demand.line);
+}
+
+/// It came near an end at rest, and not to it.
+bool ProgramRule::has_missed(const Live& way) const noexcept {
+    return way.demand.is_exact && way.nearest_pulses > 0 && way.nearest_pulses <= kNearPulses;
+}
+
+/// The path is on no way any more. `n`: the last one that it may have been on.
+void ProgramRule::breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at) {
+    const bool is_past_all = n >= window_.size();
+    const bool goes_on = is_past_all || (was_at_end && live(n + 1) == nullptr);
+    const bool misses_end = !is_past_all && !was_at_end && has_missed(window_[n]);
+    if (!ways_->failure() && log_.count(1, time_ns)) {
+        Offence offence = is_past_all ? Offence{} : off_the_way(window_[n], at);
+        if (misses_end) offence = missed_end(window_[n]);
+        if (goes_on) {
+            offence.fault = "goes-on";
+            offence.measured = 1.0;
+            offence.allowed = 0.0;
+            offence.unit = "pulses";
+            offence.sentence = "an axis moves though all ways of the program are done";
+        }
+        report(time_ns, std::move(offence), is_past_all ? 0 : window_[n].demand.line);
+    }
+    if (goes_on) {
+        if (!is_past_all) ++ways_done_;
+        phase_ = Phase::over;
+        return;
+    }
+    // It is looked for on this way, too, unless it has just come to its end.
+    window_.erase(window_.begin(),
+                  window_.begin() + static_cast<std::ptrdiff_t>(misses_end || was_at_end ? n + 1 : n));
+    for (Live& way : window_) way.is_on = false;
+    phase_ = Phase::lost;
+    looks_ = 0;
+}
+
+Offence ProgramRule::missed_end(const Live& way) const {
+    Offence offence;
+    offence.fault = "end-missed";
+    offence.axis = way.nearest_axis;
+    offence.measured = static_cast<double>(way.nearest_pulses);
+    offence.bound = Bound::exactly;
+    offence.unit = "pulses";
+    offence.sentence =
+        "the end of a way at which the machine rests was not reached: " + shown_name(way.nearest_axis) +
+        (way.nearest_axes == 1 ? " alone was off" : " was off most");
+    return offence;
+}
+
+Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
+    Offence offence;
+    const WayTolerance tolerance = tolerance_of(way);
+    offence.unit = "mm";
+    offence.allowed = way.demand.tolerance_mm;
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        const auto nearest = way.demand.way.nearest(head, at, tolerance, way.share[head]);
+        if (nearest.mm <= offence.measured) continue;
+        offence.measured = nearest.mm;
+        offence.axis = kHeads[head];
+    }
+    offence.fault = offence.measured > tolerance.mm ? "off-the-way" : "goes-back";
+    offence.sentence = offence.measured > tolerance.mm
+                           ? shown_name(offence.axis.value_or(Axis::r1)) +
+                                 " is off the way, 1.5 pulses of each axis left out"
+                           : std::string{"the path goes back along the way"};
+    return offence;
+}
+
+void ProgramRule::finish(std::int64_t time_ns) {
+    if (phase_ == Phase::over) return;
+    if (phase_ == Phase::waiting) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
+    const bool is_done = phase_ == Phase::running && window_.back().is_at_end && window_.back().is_on &&
+                         live(window_.size()) == nullptr;
+    if (is_done) {
+        for (const Live& way : window_) note_time(way);
+        ways_done_ += window_.size();
+        last_ns_ = window_.back().ended_ns;
+    }
+    phase_ = Phase::over;
+    if (is_done || live(0) == nullptr || ways_->failure() || !log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "ends-early";
+    offence.measured = static_cast<double>(ways_done_);
+    offence.bound = Bound::at_least;
+    offence.allowed = static_cast<double>(ways_done_ + 1);
+    offence.unit = "ways";
+    offence.sentence = "the trace ends before the program";
+    const Live& last = window_.front();
+    if (has_missed(last) && last.is_on) offence = missed_end(last);
+    report(time_ns, std::move(offence), last.demand.line);
+}
+
+}  // namespace psicarve::verify

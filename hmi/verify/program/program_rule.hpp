@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hmi/verify/offence_log.hpp"
+#include "hmi/verify/pin_rules.hpp"
+#include "hmi/verify/program/way_reader.hpp"
+#include "shared/base/units.hpp"
+#include "shared/profile/profile.hpp"
+
+namespace psicarve::verify {
+
+/// Ways of a program that took longer than their feeds ask for: limits of the axes, or acceleration.
+struct LoweredFeed {
+    std::uint64_t first_line = 0;
+    std::uint64_t last_line = 0;
+    double asked_s = 0.0;
+    double taken_s = 0.0;
+
+    double lost_s() const noexcept { return taken_s - asked_s; }
+    /// By how much the feed was lowered.
+    double share() const noexcept { return 1.0 - asked_s / taken_s; }
+};
+/// No more are kept: those that cost most time.
+inline constexpr std::size_t kMostLowered = 20;
+
+/// Where the axes were during a program.
+struct ProgramBounds {
+    Positions least_pulses{};
+    Positions most_pulses{};
+};
+
+/// Rule 1 of a program: all its ways are gone along, in order, none of their ends is left out, at no place is
+/// the path further off than their tolerance and 1.5 pulses of an axis, and no way takes less time than its
+/// feed asks for. Ends at rest are reached to the pulse.
+///
+/// Where ways are shorter than their tolerance a place may be on several of them: the rule follows all that
+/// the path may have come to by now.
+///
+///     way      k         k+1       k+2           a place goes on with each of its ways that it is near to,
+///     and may be   yes ----> yes       no            with the next one where it is near the end between
+///     both;
+///                  end k is near                 where none is left, that is a breach
+///
+/// A program begins where the trace does, or where homing has last defined the positions.
+class ProgramRule : public PositionJudge {
+public:
+    /// The log outlives the rule.
+    ProgramRule(JudgedProgram program, const Profile& profile, OffenceLog& log);
+
+    void begin(const TraceStart& start);
+    void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) override;
+    void redefine(std::int64_t time_ns, const Positions& positions) override;
+    void finish(std::int64_t time_ns);
+
+    const CarvePlace& place() const noexcept { return place_; }
+    std::uint64_t ways_done() const noexcept { return ways_done_; }
+    /// How far the path was off its ways at most, but for 1.5 pulses.
+    double most_off_mm() const noexcept { return most_off_mm_; }
+    /// From leaving the program's begin to its end.
+    double run_seconds() const noexcept { return seconds_from_ns(last_ns_ - left_ns_); }
+    /// The worst first.
+    const std::vector<LoweredFeed>& lowered() const noexcept { return lowered_; }
+    /// How long ways with a feed took longer than they ask for, all together.
+    double lowered_seconds() const noexcept { return lowered_s_; }
+    const ProgramBounds& bounds() const noexcept { return bounds_; }
+    /// Why the program could not be read.
+    std::optional<Error> failure() const { return ways_ ? ways_->failure() : std::nullopt; }
+
+private:
+    /// A way that the path may be on, or may come to.
+    struct Live {
+        explicit Live(const WayDemand& what) : demand(what) {}
+
+        WayDemand demand;
+        bool is_on = false;
+        bool is_waiting = false;               ///< at rest at its begin: it begins with the next pulse
+        bool is_at_end = false;                ///< to the pulse, where it ends at rest
+        std::optional<std::int64_t> begun_ns;  ///< at the earliest
+        std::int64_t ended_ns = 0;             ///< when its end was last passed, or first reached at rest
+        std::array<double, kHeadCount> share{};
+        /// To an end at rest, where the path came nearest to it.
+        std::int64_t nearest_pulses = INT64_MAX;  ///< by the axis that was off most
+        int nearest_axes = 0;                     ///< how many were off
+        Axis nearest_axis = Axis::r1;
+    };
+
+    /// Ways that are judged together by their time, for a passage is known to a tolerance.
+    struct Stretch {
+        std::uint64_t ways = 0;
+        std::uint64_t first_line = 0;
+        std::int64_t begun_ns = 0;
+        double asked_s = 0.0;
+        double length_mm = 0.0;
+        double tolerance_mm = 0.0;
+        double slowest_s_per_mm = 0.0;
+        double pulse_s = 0.0;  ///< the longest that one takes at the feed
+        bool is_from_rest = true;
+    };
+
+    void start(const Positions& positions);
+    Live* live(std::size_t n);
+    void follow(std::int64_t time_ns, const Positions& at);
+    bool stays_on(Live& way, const Positions& at);
+    bool note_end(Live& way, std::int64_t time_ns, const Positions& at);
+    bool note_rest(Live& way, std::int64_t time_ns, const Positions& at);
+    bool has_come(const Live& way) const noexcept;
+    bool has_missed(const Live& way) const noexcept;
+    void leave_behind();
+    void note_time(const Live& way);
+    void judge_time(const Live& last);
+    void note_lowered(const Live& last, double taken_s);
+    void judge_rest(const Live& way, std::int64_t time_ns);
+    void judge_spindle(std::int64_t time_ns, bool spindle_on);
+    void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
+    Offence missed_end(const Live& way) const;
+    Offence off_the_way(const Live& way, const Positions& at) const;
+    void find_again(std::int64_t time_ns, const Positions& at);
+    void report(std::int64_t time_ns, Offence offence, std::uint64_t line);
+    WayTolerance tolerance_of(const Live& way) const noexcept;
+
+    JudgedProgram program_;
+    Profile profile_;
+    WayScale scale_;
+    OffenceLog& log_;
+    std::unique_ptr<WayReader> ways_;
+    std::deque<Live> window_;  ///< from the first one that the path may be on
+    Stretch stretch_;
+    CarvePlace place_;
+    std::int64_t tick_ns_ = 0;
+    Positions start_{};
+    std::uint64_t looks_ = 0;  ///< for the path, while it is lost
+    enum class Phase : std::uint8_t { waiting, running, lost, over };
+    Phase phase_ = Phase::waiting;
+    std::int64_t left_ns_ = 0;
+    std::int64_t last_ns_ = 0;
+    std::uint64_t ways_done_ = 0;
+    double most_off_mm_ = 0.0;
+    std::vector<LoweredFeed> lowered_;
+    double lowered_s_ = 0.0;
+    ProgramBounds bounds_;
+};
+
+}  // namespace psicarve::verify

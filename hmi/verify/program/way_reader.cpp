@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/program/way_reader.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "hmi/gcode/arc.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::verify {
+namespace {
+
+using gcode::CanonKind;
+using gcode::CanonRecord;
+
+constexpr double kSecondsPerMinute = 60.0;
+constexpr int kBlendCode = 640;
+constexpr int kSpindleOffCode = 5;
+constexpr int kOptionalStopCode = 1;
+
+bool is_motion(const CanonRecord& record) noexcept {
+    return record.kind == CanonKind::rapid || record.kind == CanonKind::feed || record.kind == CanonKind::arc;
+}
+
+/// Whether the machine rests for it, whatever the operator has chosen.
+bool asks_for_rest(const CanonRecord& record) noexcept {
+    switch (record.kind) {
+        case CanonKind::dwell:
+        case CanonKind::spindle:
+        case CanonKind::tool_change:
+        case CanonKind::end:
+            return true;
+        case CanonKind::stop:
+            return record.code != kOptionalStopCode;
+        default:
+            return false;
+    }
+}
+
+gcode::InterpreterOptions language_from(const JudgedProgram& program, const gcode::AxisLetters& letters,
+                                        const WayScale& scale, const Positions& start) {
+    gcode::InterpreterOptions language = program.language;
+    language.is_start_known = true;
+    // r1 last: where r2 follows it, one letter stands for both.
+    for (const Axis axis : {Axis::r2, Axis::psi, Axis::y, Axis::r1})
+        language.start[letters.letter_of(axis)] =
+            static_cast<double>(start[index_of(axis)]) / scale.pulses_per_unit[index_of(axis)];
+    return language;
+}
+
+}  // namespace
+
+WayReader::WayReader(const JudgedProgram& program, const Profile& profile, const WayScale& scale,
+                     const Positions& start)
+    : stream_(program.open, language_from(program, gcode::AxisLetters{profile.gcode}, scale, start)),
+      scale_(scale),
+      letters_(profile.gcode),
+      turns_shortest_(profile.gcode.turns_shortest),
+      own_tolerance_mm_(profile.job.path_tolerance_mm),
+      tolerance_mm_(profile.job.path_tolerance_mm),
+      at_{} {
+    for (std::size_t k = 0; k < kAxisCount; ++k) at_[k] = static_cast<double>(start[k]);
+}
+
+std::optional<WayDemand> WayReader::next() {
+    while (auto record = stream_.next()) {
+        if (is_motion(*record)) {
+            auto way = way_of(*record);
+            if (!way) continue;
+            std::swap(held_, way);
+            if (way) return way;
+            continue;
+        }
+        if (asks_for_rest(*record)) rest(*record);
+        note_mode(*record);
+    }
+    return std::exchange(held_, std::nullopt);
+}
+
+void WayReader::rest(const CanonRecord& record) {
+    if (!held_) return;
+    held_->is_exact = true;
+    if (record.kind == CanonKind::dwell) held_->dwell_s += record.value;
+}
+
+void WayReader::note_mode(const CanonRecord& record) noexcept {
+    if (record.kind == CanonKind::path) {
+        is_exact_ = record.code != kBlendCode;
+        tolerance_mm_ = record.value > 0.0 ? record.value : own_tolerance_mm_;
+    }
+    if (record.kind == CanonKind::spindle) is_spindle_on_ = record.code != kSpindleOffCode;
+}
+
+/// Nothing: no axis has a pulse to go.
+std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
+    const std::size_t psi_letter = letters_.letter_of(Axis::psi);
+    const auto psi_mask = letters_.mask_of_axis(Axis::psi);
+    if (turns_shortest_ && record.kind == CanonKind::rapid &&
+        (record.start_placed & record.placed & psi_mask) != 0) {
+        const double turned_deg = record.end[psi_letter] - record.start[psi_letter];
+        psi_shift_deg_ += std::remainder(turned_deg, kDegPerRev) - turned_deg;
+    }
+    Place to = at_;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t letter = letters_.letter_of(axis);
+        if ((record.placed & gcode::mask_of(letter)) == 0) continue;
+        const double shift = axis == Axis::psi ? psi_shift_deg_ : 0.0;
+        to[index_of(axis)] = scale_.pulses(axis, record.end[letter] + shift);
+    }
+    const Place from = std::exchange(at_, to);
+    const auto arc = arc_of(record);
+    bool moves = arc.has_value();
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        moves = moves || round_to_pulse(from[k]) != round_to_pulse(to[k]);
+    if (!moves) return std::nullopt;
+    WayDemand demand{.way = ProgrammedWay{scale_, from, to, arc}, .line = record.line};
+    demand.is_exact = is_exact_;
+    demand.tolerance_mm = is_exact_ && !arc ? 0.0 : tolerance_mm_;
+    if (record.feed_per_min > 0.0) demand.seconds = record.length / record.feed_per_min * kSecondsPerMinute;
+    demand.needs_spindle = is_spindle_on_;
+    return demand;
+}
+
+std::optional<WayArc> WayReader::arc_of(const CanonRecord& record) const {
+    if (record.kind != CanonKind::arc) return std::nullopt;
+    const gcode::Plane& plane = *record.plane;
+    const gcode::PlanePoint from{record.start[plane.first], record.start[plane.second]};
+    const gcode::PlanePoint to{record.end[plane.first], record.end[plane.second]};
+    const gcode::PlanePoint centre{record.centre_first_mm, record.centre_second_mm};
+    const auto radius_mm = [&](const gcode::PlanePoint& point) {
+        return std::hypot(point.first_mm - centre.first_mm, point.second_mm - centre.second_mm);
+    };
+    const double first_mm = from.first_mm - centre.first_mm;
+    const double second_mm = from.second_mm - centre.second_mm;
+    const double sweep_rad = gcode::sweep_rad(from, to, centre, record.turns);
+    const bool is_y_first = plane.first == letters_.letter_of(Axis::y);
+    const std::size_t head_letter = is_y_first ? plane.second : plane.first;
+    WayArc arc{};
+    for (std::size_t head = 0; head < kHeadCount; ++head)
+        arc.moves_head[head] = letters_.letter_of(kHeads[head]) == head_letter;
+    arc.start_radius_mm = radius_mm(from);
+    arc.end_radius_mm = radius_mm(to);
+    // From R to Y, whichever of the two stands first in the plane.
+    arc.centre_r_mm = is_y_first ? centre.second_mm : centre.first_mm;
+    arc.centre_y_mm = is_y_first ? centre.first_mm : centre.second_mm;
+    arc.start_rad = is_y_first ? std::atan2(first_mm, second_mm) : std::atan2(second_mm, first_mm);
+    arc.sweep_rad = is_y_first ? -sweep_rad : sweep_rad;
+    return arc;
+}
+
+}  // namespace psicarve::verify

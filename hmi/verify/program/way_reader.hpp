@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "hmi/gcode/axis_letters.hpp"
+#include "hmi/gcode/canon.hpp"
+#include "hmi/verify/program/canon_stream.hpp"
+#include "hmi/verify/program/programmed_way.hpp"
+
+namespace psicarve::verify {
+
+/// A program to be judged by, and how it was read when it was run.
+struct JudgedProgram {
+    CanonStream::Opener open;
+    gcode::InterpreterOptions language;  ///< but for where the machine stands
+    double override_ratio = 1.0;         ///< the fastest that its feeds were run
+};
+
+/// A way, and what a program asks of it.
+struct WayDemand {
+    ProgrammedWay way;
+    std::uint64_t line = 0;
+    double tolerance_mm = 0.0;  ///< how far off the way the path may be, besides pulses
+    bool is_exact = false;      ///< its end is reached to the pulse, at rest
+    double seconds = 0.0;       ///< the least that it may take; 0: as fast as the machine can
+    double dwell_s = 0.0;       ///< the rest at its end
+    bool needs_spindle = false;
+};
+
+/// Makes canonical motion into ways of the machine's axes, from where it stands.
+class WayReader {
+public:
+    /// The scale outlives the reader and its ways.
+    WayReader(const JudgedProgram& program, const Profile& profile, const WayScale& scale,
+              const Positions& start);
+
+    /// Nothing: the program has no more.
+    std::optional<WayDemand> next();
+    /// After next() had nothing: why the program could not be read to its end.
+    const std::optional<Error>& failure() const noexcept { return stream_.failure(); }
+
+private:
+    std::optional<WayDemand> way_of(const gcode::CanonRecord& record);
+    std::optional<WayArc> arc_of(const gcode::CanonRecord& record) const;
+    void rest(const gcode::CanonRecord& record);
+    void note_mode(const gcode::CanonRecord& record) noexcept;
+
+    CanonStream stream_;
+    const WayScale& scale_;
+    gcode::AxisLetters letters_;
+    bool turns_shortest_;
+    double own_tolerance_mm_;
+    double tolerance_mm_;
+    bool is_exact_ = false;
+    bool is_spindle_on_ = false;
+    double psi_shift_deg_ = 0.0;
+    Place at_;
+    std::optional<WayDemand> held_;
+};
+
+}  // namespace psicarve::verify

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A long program through `psicarve gcode run`: memory, and how much faster than the machine it is.
+
+usage: bench_program_run.py BUILD [--lines N]
+
+BUILD is a build folder, as build/release. A program of N lines of 0.05 mm at 3000 mm/min is made here and run on a
+core on the virtual clock, which knows no waiting: what is measured is interpreter, ring, planner and tick together.
+Told are machine time by wall time, starvations, and by how much the resident memory of both processes grows after the
+first second. Exit code 1 where that is more than 16 MB each, where the program starves, or where it is less than
+10 times as fast as the machine.
+"""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+MOST_GROWTH_KB = 16 * 1024
+LEAST_RATIO = 10.0
+SETTLING_S = 1.0
+LOOK_S = 0.1
+
+
+def write_program(path, count):
+    with path.open("w") as out:
+        out.write("G21 G90 G94 F3000 G64 P0.02\nG0 X50 Z50 Y10 C0\nG1\n")
+        for n in range(count):
+            # There and back over 20 mm while Y rises and falls gently.
+            there, wave = n % 800, n % 80
+            step = there if there < 400 else 800 - there
+            out.write(f"X{40 + 0.05 * step:.2f} Y{10 + 0.005 * min(wave, 80 - wave):.3f}\n")
+        out.write("M2\n")
+
+
+def resident_kb(pid):
+    for line in pathlib.Path(f"/proc/{pid}/status").read_text().split("\n"):
+        if line.startswith("VmRSS"):
+            return int(line.split()[1])
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--lines", type=int, default=10_000_000)
+    options = parser.parse_args()
+    programs = options.build.resolve() / "bin"
+    segment = ["--segment", f"/psicarve-bench-{os.getpid()}"]
+
+    def psicarve(*words):
+        return subprocess.run([programs / "psicarve", *words, *segment], capture_output=True, text=True, check=False)
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "long.ngc"
+        write_program(path, options.lines)
+        core = subprocess.Popen([programs / "psicarve-rtcore", *segment, "--clock", "virtual"],
+                                stderr=subprocess.DEVNULL)
+        try:
+            while psicarve("status").returncode != 0:
+                time.sleep(LOOK_S)
+            psicarve("home")
+            began = time.monotonic()
+            run = subprocess.Popen([programs / "psicarve", "gcode", "run", path, "--json", *segment],
+                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            pids = {"gcode run": run.pid, "core": core.pid}
+            first, most = {}, {}
+            while run.poll() is None:
+                time.sleep(LOOK_S)
+                if time.monotonic() - began < SETTLING_S:
+                    continue
+                for name, pid in pids.items():
+                    try:
+                        now = resident_kb(pid)
+                    except OSError:
+                        continue
+                    if now:
+                        first.setdefault(name, now)
+                        most[name] = max(most.get(name, 0), now)
+            wall_s = time.monotonic() - began
+            said = json.loads(run.stdout.read())
+        finally:
+            core.terminate()
+            core.wait()
+    ratio = said["seconds"] / wall_s
+    print(f"{options.lines} lines in {wall_s:.1f} s, {options.lines / wall_s:.0f} a second;"
+          f" {said['seconds']:.1f} s of machine time, {ratio:.1f} times as fast; starvations {said['starvations']}")
+    is_good = ratio >= LEAST_RATIO and said["starvations"] == 0
+    for name, kb in most.items():
+        growth_kb = kb - first[name]
+        print(f"{name}: resident {kb} KB, grown by {growth_kb} KB")
+        is_good = is_good and growth_kb <= MOST_GROWTH_KB
+    return 0 if is_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

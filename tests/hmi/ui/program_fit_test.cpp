@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Page Program cuts nothing off, in any language, on small screens, with all that it can show.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QListWidget>
+#include <QSpinBox>
+#include <QTabWidget>
+
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "hmi/ui/language.hpp"
+#include "tests/hmi/ui/fit_audit.hpp"
+#include "tests/hmi/ui/pages_rig.hpp"
+#include "tests/thoroughness.hpp"
+
+namespace psicarve::ui {
+namespace {
+
+constexpr QSize kProgramScreens[] = {{1280, 690}, {960, 515}, {640, 360}};
+
+class ProgramFit : public test::PagesRig {
+protected:
+    /// One window walks through all.
+    void expect_fit(const char* what) {
+        for (const Language language : {Language::chinese, Language::russian, Language::english}) {
+            if (psicarve::test::kIsSanitized && language != Language::chinese) continue;
+            const QString code = QLatin1String(kLanguages[static_cast<std::size_t>(language)].code);
+            part<QAction>(("language_" + code).toUtf8().constData()).trigger();
+            ASSERT_TRUE(comes_true([&] { return used_language() == language; }));
+            for (const QSize& screen : kProgramScreens) {
+                window_->resize(screen);
+                show_page("program_page");
+                for (int look = 0; look < 5; ++look) {
+                    window_->refresh();
+                    QApplication::processEvents();
+                }
+                const QString where =
+                    QStringLiteral("program_%1_%2_%3").arg(what, code, QString::number(screen.width()));
+                EXPECT_EQ(window_->size(), screen) << where.toStdString();
+                for (const std::string& misfit : test::misfits(*window_)) {
+                    // As with all pages: there are more than 640 pixels have names for.
+                    const bool is_excused =
+                        screen.width() == 640 && misfit.find("tab out of sight") != std::string::npos;
+                    if (!is_excused && seen_.insert(misfit).second)
+                        ADD_FAILURE() << where.toStdString() << ": " << misfit;
+                }
+                take_picture(where);
+            }
+        }
+    }
+    void open_text(const std::string& text) {
+        const std::string path =
+            file("a_name_without_a_space_as_programs_for_drawing_make_them_by_themselves_1234.ngc");
+        std::ofstream{path} << text;
+        window_->open(QString::fromStdString(path));
+        ASSERT_TRUE(comes_true([&] {
+            return !window_->context().program.is_reading() && window_->context().program.program();
+        }));
+    }
+
+private:
+    std::set<std::string> seen_;
+};
+
+TEST_F(ProgramFit, WithErrorsAndWithWhatComesBeforeALine) {
+    start_core();
+    open_window();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(MachineState::ready));
+    open_text("G21 G90\nG0 X40\nG1 X30\nG1 F300 X99\nS1000 M7\nM2\n");
+    ASSERT_NO_FATAL_FAILURE(expect_fit("errors"));
+    open_text("G21 G90 F300\nM3\nG0 X40 Z41 Y5 C370\nG1 X38\nG1 Y7\nM2\n");
+    window_->refresh();
+    part<QSpinBox>("program_from_line").setValue(5);
+    ASSERT_TRUE(click("program_start"));
+    ASSERT_TRUE(comes_true([&] { return part<QWidget>("approach_card").isVisible(); }));
+    ASSERT_NO_FATAL_FAILURE(expect_fit("from_line"));
+}
+
+}  // namespace
+}  // namespace psicarve::ui

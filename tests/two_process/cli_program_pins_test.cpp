@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `psicarve gcode run` records of a program, and how `psicarve verify --program` judges it.
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "shared/job/job.hpp"
+#include "shared/record/snapshot_file.hpp"
+#include "tests/places.hpp"
+#include "tests/two_process/cli_machine_rig.hpp"
+
+namespace psicarve::test {
+namespace {
+
+/// Lines, arcs, corners under all modes, a rest, the spindle.
+constexpr const char* kMixed =
+    "G21 G90 G94 F1200\nM3\nG0 X50 Z50 Y10 C0\nG64 P0.05\nG1 X48 C20\nG1 X48.5 Z49 C25 Y10.5\nG1 Y12\n"
+    "G17 G3 X46.5 Y14 I-2 J0\nG1 X46 C60\nG61\nG1 X45.5 Z48 C70\nG2 X45.5 Y14 I1 J0 C90\nG4 P0.2\n"
+    "G64\nG1 X45 Y13\nG1 X45.01 Y13.01\nG1 X45.02\nG1 X44 C120\nM5\nG0 X50\nM2\n";
+
+class ProgramPins : public Machine {
+protected:
+    std::string program(const std::string& name, const std::string& text) const {
+        write(name, text);
+        return file(name);
+    }
+    int verified(const std::string& trace, const std::string& program_path) const {
+        return psicarve({"verify", trace, "--program", program_path}).exit_code;
+    }
+    /// A text with one of its parts replaced.
+    static std::string changed(std::string text, const std::string& from, const std::string& to) {
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return at == std::string::npos ? text : text.replace(at, from.size(), to);
+    }
+};
+
+TEST_F(ProgramPins, AreSimulatedRecordedAndJudgedWhereNoCoreServes) {
+    const std::string path = program("mixed.ngc", kMixed);
+    for (const char* name : {"pins.vcd", "pins.trace"}) {
+        const Outcome done = run({"gcode", "run", path, "--trace", file(name), "--json"});
+        ASSERT_EQ(done.exit_code, 0) << done.error;
+        EXPECT_NE(done.out.find("\"verified\":true"), std::string::npos) << done.out;
+        EXPECT_NE(done.out.find("\"starvations\":0"), std::string::npos) << done.out;
+        EXPECT_NE(done.error.find("the machine is simulated"), std::string::npos) << done.error;
+        EXPECT_EQ(verified(file(name), path), 0);
+    }
+    EXPECT_FALSE(core_pid());
+    // Judged by another program they are wrong: another feed, place, order, corner, arc, rest.
+    const std::vector<std::array<std::string, 2>> changes{{"F1200", "F30"},
+                                                          {"X48 C20", "X47.8 C20"},
+                                                          {"G1 Y12\n", "G1 X48.8\nG1 X48.5 Y12\n"},
+                                                          {"G64 P0.05", "G64 P0.005"},
+                                                          {"I-2 J0", "I0 J2"},
+                                                          {"P0.2", "P0.4"},
+                                                          {"Z48 C70", "Z48.0025 C70"},
+                                                          {"M5\nG0 X50\n", "M5\n"},
+                                                          {"G3 X46.5", "G2 X46.5"}};
+    for (const auto& [from, to] : changes)
+        EXPECT_EQ(verified(file("pins.trace"), program("other.ngc", changed(kMixed, from, to))), 6)
+            << from << " -> " << to;
+}
+
+TEST_F(ProgramPins, AreRecordedFromARunningCore) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"move", "r1=58"}).exit_code, 0);
+    const std::string path = program("mixed.ngc", kMixed);
+    const Outcome done = run({"gcode", "run", path, "--trace", file("pins.trace")});
+    ASSERT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_NE(done.out.find("verified   yes"), std::string::npos) << done.out;
+    EXPECT_EQ(verified(file("pins.trace"), path), 0);
+    EXPECT_EQ(state(), MachineState::ready);
+}
+
+TEST_F(ProgramPins, AreAskedForOnlyWhereTheyCanBeWritten) {
+    const std::string path = program("mixed.ngc", kMixed);
+    const Outcome refused = run({"gcode", "run", path, "--trace", file("no folder/pins.vcd")});
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_EQ(refused.error_lines(), 1U) << refused.error;
+}
+
+TEST_F(ProgramPins, AreJudgedByAProgramInsteadOfAJob) {
+    const std::string path = program("mixed.ngc", kMixed);
+    EXPECT_EQ(psicarve({"verify", path, path, "--program", path}).exit_code, 2);
+    const std::string wrong = program("wrong.ngc", "G21 G90 F300\nG1 X999\nM2\n");
+    EXPECT_EQ(psicarve({"verify", path, "--program", wrong}).exit_code, 3);
+}
+
+std::string block(const char* words, double r1_mm, double r2_mm, double psi_deg, double y_mm) {
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "%s X%.6f Z%.6f C%.6f Y%.6f\n", words, r1_mm, r2_mm, psi_deg,
+                  y_mm);
+    return text.data();
+}
+
+// A table, written out as a program: its pins carve the very job, judged as one.
+TEST_F(ProgramPins, OfATableAreThoseOfItsJob) {
+    const std::string job_path = job("3", "40");
+    const auto snapshot = load_snapshot(job_path);
+    ASSERT_TRUE(snapshot) << snapshot.error().message;
+    const JobView table = JobView::check(snapshot->job_blob).value();
+    const Profile profile;
+    const auto at = [&](const char* words, std::uint32_t layer, std::uint32_t step, double out_mm) {
+        const std::uint32_t point = carved_point(table.joining(), table.point_count(), layer, step);
+        return block(words, table.r_left_pulses(layer)[point] / profile.r1.pulses_per_mm + out_mm,
+                     table.r_right_pulses(layer)[point] / profile.r2.pulses_per_mm + out_mm,
+                     360.0 * static_cast<double>(table.psi_pulses(layer, point)) /
+                         static_cast<double>(profile.psi.pulses_per_rev),
+                     static_cast<double>(table.y_pulses(layer, point)) / profile.y.pulses_per_mm);
+    };
+    std::string text = "G21 G90 G94 G61 F1200\n" + at("G0", 0, 0, 10.0) + "M3\n";
+    for (std::uint32_t layer = 0; layer < table.layer_count(); ++layer) {
+        if (layer > 0) text += at("G0", layer - 1, table.point_count() - 1, 10.0) + at("G0", layer, 0, 10.0);
+        for (std::uint32_t step = 0; step < table.point_count(); ++step) text += at("G1", layer, step, 0.0);
+    }
+    text += at("G0", table.layer_count() - 1, table.point_count() - 1, 10.0) + "M5\nM2\n";
+    const std::string path = program("table.ngc", text);
+    const Outcome done = run({"gcode", "run", path, "--trace", file("pins.trace")});
+    ASSERT_EQ(done.exit_code, 0) << done.error << done.out;
+    const Outcome judged = psicarve({"verify", job_path, file("pins.trace")});
+    EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.error;
+    EXPECT_NE(judged.out.find("largest deviation 0 pulses at points"), std::string::npos) << judged.out;
+}
+
+}  // namespace
+}  // namespace psicarve::test

@@ -37,8 +37,9 @@ namespace {
 
 constexpr CommandText kGcodeRunText{
     "run", "Runs a program in G-code on the machine",
-    "Uses the core that serves the segment, whose axes must be homed. When none does, starts one on the\n"
-    "simulated machine with the virtual clock, homes it, verifies its pins while it runs, and ends it.\n"
+    "Uses the core that serves the segment, whose axes must be homed. With --simulate it starts one of its\n"
+    "own on the simulated machine with the virtual clock, homes it, verifies its pins while it runs, and ends\n"
+    "it.\n"
     "A file is checked to its end before anything moves; standard input is run as it comes, from rest to "
     "rest.\n"
     "Ctrl-C stops the machine; twice is an emergency stop. This command feeds the\n"
@@ -62,6 +63,7 @@ struct GcodeRunOptions {
     bool stops_at_optional = false;
     bool skips_deleted = false;
     bool is_dry = false;
+    bool is_simulated = false;
     std::string trace;
 
     bool is_stream() const { return path == "-"; }
@@ -276,7 +278,7 @@ Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& op
     OperatorBreak operator_break;
     auto core = ProgramCore::start(std::move(launch), *profile);
     if (!core) return core.error();
-    print_note("no core serves " + common.segment + ": the machine is simulated");
+    print_note("the machine is simulated");
     if (const auto homed = (*core)->home(operator_break); !homed) return homed.error();
     const auto judge = [&]() -> Result<PinsVerdict> {
         auto report = (*core)->finish();
@@ -308,7 +310,13 @@ Result<int> run(const CommonOptions& common, const GcodeRunOptions& options) {
         return Error{ErrorCode::bad_usage, "--from-line: for a file; standard input is run as it comes"};
     if (const auto writable = check_output_folder(options.trace); !writable) return writable.error();
     auto link = link_to_core(common);
-    if (!link && link.error().code == ErrorCode::no_core) return run_simulated(common, options);
+    if (options.is_simulated) {
+        if (link)
+            return Error{ErrorCode::bad_usage,
+                         "--simulate: a core serves " + common.segment + " already; give another --segment"};
+        if (link.error().code != ErrorCode::no_core) return link.error();
+        return run_simulated(common, options);
+    }
     if (!link) return link.error();
     const auto profile = profile_of_core(*link, common);
     if (!profile) return profile.error();
@@ -341,6 +349,8 @@ void add_gcode_run(CommandSet& commands) {
         .stream("FILE", options->path, "A program in G-code")
         .option("--from-line", options->from_line, 1, kMostLine,
                 "Begin with this line; what stands before it counts, but makes no motion")
+        .flag("--simulate", options->is_simulated,
+              "On a simulated machine of its own, by the virtual clock, homed before")
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--single", options->is_single, "Hold after each block; psicarve resume goes on")
         .flag("--optional-stop", options->stops_at_optional, "Hold at M1")

@@ -37,10 +37,10 @@ protected:
     }
 };
 
-TEST_F(ProgramPins, AreSimulatedRecordedAndJudgedWhereNoCoreServes) {
+TEST_F(ProgramPins, AreSimulatedRecordedAndJudged) {
     const std::string path = program("mixed.ngc", kMixed);
     for (const char* name : {"pins.vcd", "pins.trace"}) {
-        const Outcome done = run({"gcode", "run", path, "--trace", file(name), "--json"});
+        const Outcome done = run({"gcode", "run", path, "--simulate", "--trace", file(name), "--json"});
         ASSERT_EQ(done.exit_code, 0) << done.error;
         EXPECT_NE(done.out.find("\"verified\":true"), std::string::npos) << done.out;
         EXPECT_NE(done.out.find("\"starvations\":0"), std::string::npos) << done.out;
@@ -73,6 +73,15 @@ TEST_F(ProgramPins, AreRecordedFromARunningCore) {
     EXPECT_NE(done.out.find("verified   yes"), std::string::npos) << done.out;
     EXPECT_EQ(verified(file("pins.trace"), path), 0);
     EXPECT_EQ(state(), MachineState::ready);
+    const Outcome served = run({"gcode", "run", path, "--simulate"});
+    EXPECT_EQ(served.exit_code, 2);
+    EXPECT_NE(served.error.find("a core serves"), std::string::npos) << served.error;
+}
+
+// Nobody who means the machine is shown a simulated one.
+TEST_F(ProgramPins, AreNotSimulatedUnasked) {
+    EXPECT_EQ(run({"gcode", "run", program("mixed.ngc", kMixed)}).exit_code, 5);
+    EXPECT_FALSE(core_pid());
 }
 
 TEST_F(ProgramPins, AreAskedForOnlyWhereTheyCanBeWritten) {
@@ -118,7 +127,7 @@ TEST_F(ProgramPins, OfATableAreThoseOfItsJob) {
     }
     text += at("G0", table.layer_count() - 1, table.point_count() - 1, 10.0) + "M5\nM2\n";
     const std::string path = program("table.ngc", text);
-    const Outcome done = run({"gcode", "run", path, "--trace", file("pins.trace")});
+    const Outcome done = run({"gcode", "run", path, "--simulate", "--trace", file("pins.trace")});
     ASSERT_EQ(done.exit_code, 0) << done.error << done.out;
     const Outcome judged = psicarve({"verify", job_path, file("pins.trace")});
     EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.error;

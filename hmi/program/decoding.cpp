@@ -63,16 +63,52 @@ private:
     const DecodeProgress& progress_;
 };
 
-gcode::ByteSource counted(gcode::ByteSource bytes, LineIndex& lines, DecodeProgress& progress) {
-    return [bytes = std::move(bytes), &lines, &progress](std::span<char> room) -> Result<std::size_t> {
-        if (progress.is_cancelled.load()) return Error{ErrorCode::cancelled, "cancelled"};
-        auto got = bytes(room);
+/// A program's bytes, of which loops and subroutines read some again: the index notes each once.
+class CountedBytes {
+public:
+    CountedBytes(gcode::ProgramBytes bytes, LineIndex& lines, DecodeProgress& progress)
+        : bytes_(std::move(bytes)), lines_(lines), progress_(progress) {}
+
+    Result<std::size_t> read(std::span<char> room) {
+        if (progress_.is_cancelled.load()) return Error{ErrorCode::cancelled, "cancelled"};
+        auto got = bytes_.read(room);
         if (!got) return got;
-        lines.note(room.first(*got));
-        progress.bytes_done.fetch_add(*got);
+        const std::uint64_t end = at_ + *got;
+        if (end > noted_) {
+            const auto fresh = static_cast<std::size_t>(end - noted_);
+            lines_.note(room.subspan(*got - fresh, fresh));
+            progress_.bytes_done.fetch_add(fresh);
+            noted_ = end;
+        }
+        at_ = end;
         return got;
-    };
-}
+    }
+    Result<void> go_to(std::uint64_t offset) {
+        at_ = offset;
+        return bytes_.seek(offset);
+    }
+    gcode::ProgramBytes view() {
+        return {[this](std::span<char> room) { return read(room); },
+                [this](std::uint64_t offset) { return go_to(offset); }};
+    }
+    /// What stands behind a program's end is shown, too.
+    Result<void> note_rest() {
+        if (const auto gone = go_to(noted_); !gone) return gone;
+        std::vector<char> room(kRestBytes);
+        for (;;) {
+            const auto got = read(room);
+            if (!got) return got.error();
+            if (*got == 0) return {};
+        }
+    }
+
+private:
+    gcode::ProgramBytes bytes_;
+    LineIndex& lines_;
+    DecodeProgress& progress_;
+    std::uint64_t at_ = 0;
+    std::uint64_t noted_ = 0;  ///< all bytes before it
+};
 
 gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode::AxisLetters& letters) {
     gcode::InterpreterOptions how;
@@ -97,24 +133,18 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     progress.bytes_total.store(static_cast<std::uint64_t>(std::max<std::int64_t>(state->bytes, 0)));
     auto opened = gcode::open_unchanged_program(request.path, *state);
     if (!opened) return opened.error();
-    const gcode::ByteSource bytes = counted(std::move(opened).value(), decoded->lines, progress);
+    CountedBytes bytes{std::move(opened).value(), decoded->lines, progress};
     const gcode::AxisLetters letters{request.profile.gcode};
     gcode::MachineCheck machine{request.profile, decoded->problems};
     PathSketch sketch{letters};
     ApproachFinder approach{letters, std::max(request.from_line, 1U)};
     DecodeSinks sinks{{&machine, &sketch, &approach}, progress};
-    gcode::LineSource lines{bytes};
+    gcode::LineSource lines{bytes.view()};
     const auto facts =
         gcode::interpret_program(lines, language_for(request, letters), sinks, decoded->problems);
     if (!facts) return facts.error();
     decoded->facts = *facts;
-    // What stands behind its end is shown, too.
-    std::vector<char> rest(kRestBytes);
-    for (;;) {
-        const auto got = bytes({rest.data(), rest.size()});
-        if (!got) return got.error();
-        if (*got == 0) break;
-    }
+    if (const auto rest = bytes.note_rest(); !rest) return rest.error();
     decoded->path = sketch.finished();
     decoded->approach = approach.found();
     return DecodedPointer{std::move(decoded)};

@@ -19,7 +19,7 @@ namespace psicarve::verify {
 class CanonStream {
 public:
     /// Opens the program, at its begin.
-    using Opener = std::function<Result<gcode::ByteSource>()>;
+    using Opener = std::function<Result<gcode::ProgramBytes>()>;
 
     CanonStream(const Opener& open, const gcode::InterpreterOptions& language);
     ~CanonStream();

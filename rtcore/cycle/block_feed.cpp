@@ -49,7 +49,7 @@ bool BlockFeed::has_next_group() const noexcept {
     const MotionBlock* const first = blocks_->ahead(group_blocks_left_);
     if (first == nullptr || first->epoch != epoch_ || (first->joints & kCarriesOn) == 0) return false;
     return blocks_->size() - group_blocks_left_ >=
-           std::min<std::size_t>(first->group_blocks, kGroupStartBlocks);
+           std::min<std::size_t>(first->group_blocks, kGroupGoesOnBlocks);
 }
 
 bool BlockFeed::take_next_group() noexcept {
@@ -58,13 +58,6 @@ bool BlockFeed::take_next_group() noexcept {
     blocks_->pop();
     group_blocks_left_ = block_.group_blocks - 1;
     return true;
-}
-
-bool BlockFeed::nears_open_end(std::uint32_t blocks) const noexcept {
-    if (!goes_on()) return false;
-    if (group_blocks_left_ <= blocks) return true;
-    const MotionBlock* const later = blocks_->ahead(blocks - 1);
-    return later == nullptr || later->path.rest_speed2[1] < later->path.end_speed2[1];
 }
 
 bool BlockFeed::drop_foreign_blocks() noexcept {

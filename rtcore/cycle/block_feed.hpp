@@ -45,13 +45,10 @@ public:
     bool goes_on() const noexcept { return (block_.joints & kGoesOn) != 0; }
     /// The block at hand carries on a group that has ended before it.
     bool carries_on() const noexcept { return (block_.joints & kCarriesOn) != 0; }
-    /// It goes on, and the next group may begin: all of that is queued, or kGroupStartBlocks of it.
+    /// It goes on, and the next group may begin: all of that is queued, or kGroupGoesOnBlocks of it.
     bool has_next_group() const noexcept;
     /// Requires is_last_of_group(). False: there is no next group yet, or none; the block at hand stays.
     bool take_next_group() noexcept;
-    /// It goes on, and within so many blocks the speeds leave the plan for a rest at its end.
-    bool nears_open_end(std::uint32_t blocks) const noexcept;
-
     const MotionBlock& block() const noexcept { return block_; }
     /// An axis of the block at hand goes so much further.
     void lengthen(std::size_t axis, std::int64_t extra_pulses) noexcept {

@@ -77,7 +77,7 @@ public:
     const PulseStage& pulses() const noexcept { return pulses_; }
     /// On hold, or on their way there or back: the heads are off the path.
     bool are_heads_lifted() const noexcept { return motion_.are_heads_lifted(); }
-    /// A program runs, and nothing is left to do before its next block comes, or it would slow down without.
+    /// A program runs, and nothing is left to do before its next block comes, or it may slow down without.
     bool awaits_blocks() const noexcept {
         return carves_program() && (motion_.is_dry() || motion_.runs_short());
     }

@@ -85,10 +85,8 @@ public:
 
     /// It rests, and nothing is queued that it could do next.
     bool is_dry() const noexcept { return !in_motion_ && feed_.is_dry(); }
-    /// In the next tick it would slow down, or rest, because the next group is not queued.
-    bool runs_short() const noexcept {
-        return in_motion_ && feed_.nears_open_end(kSegmentsPerTick) && !feed_.has_next_group();
-    }
+    /// It may slow down, or rest, because the next group is not queued.
+    bool runs_short() const noexcept { return in_motion_ && feed_.goes_on() && !feed_.has_next_group(); }
     /// Of the block at hand; 0: it has none.
     std::uint64_t program_line() const noexcept { return cycle::program_line(block()); }
     /// After kHalted.

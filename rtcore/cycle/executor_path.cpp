@@ -2,7 +2,6 @@
 #include "rtcore/cycle/executor.hpp"
 
 namespace psicarve::cycle {
-namespace {}  // namespace
 
 Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
     if (!can_end(block().path)) {

@@ -59,7 +59,7 @@ public:
 
     /// It rests, heads on the path, and nothing is queued that it could do next.
     bool is_dry() const noexcept { return !lift_.is_active() && executor_.is_dry(); }
-    /// In the next tick it would slow down for want of blocks.
+    /// It may slow down for want of blocks.
     bool runs_short() const noexcept { return !lift_.is_active() && executor_.runs_short(); }
     bool has_block() const noexcept { return io_->blocks.front() != nullptr; }
     /// As Executor has them.

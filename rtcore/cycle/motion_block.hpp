@@ -106,6 +106,10 @@ constexpr void set_program_line(MotionBlock& block, std::uint64_t line) noexcept
 inline constexpr std::size_t kBlockRingEntries = 16384;
 /// A group starts when all of it, or this many blocks, are queued: then it cannot run dry.
 inline constexpr std::size_t kGroupStartBlocks = kBlockRingEntries / 2;
+/// Without a rest the next group is gone on with when all of it, or this many blocks, are queued. The planner
+/// fills a queue that is less than half full: so it comes to that while as many of the group at hand are
+/// left.
+inline constexpr std::size_t kGroupGoesOnBlocks = kGroupStartBlocks / 2;
 using BlockRing = SpscRing<MotionBlock, kBlockRingEntries>;
 
 /// What the tick asks of the planner. The newest request replaces all before it.

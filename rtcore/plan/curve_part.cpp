@@ -44,8 +44,8 @@ bool StretchPlanner::decide(std::span<const PathPoint> points, std::span<const P
     spans_.assign(spans.begin(), spans.end());
     curve_.nodes = curve_nodes(limits_, points, spans_, corners, first, at.last, std::move(curve_.nodes));
     first_node_ = 0;
-    if (!decided_.empty()) go_on_from(static_cast<std::uint32_t>(at.from));
-    is_found_ = curve_.nodes.step.size() >= first_node_ + kLeastNodes;
+    is_found_ = decided_.empty() || go_on_from(static_cast<std::uint32_t>(at.from));
+    is_found_ = is_found_ && curve_.nodes.step.size() >= first_node_ + kLeastNodes;
     if (is_found_) curve_.times.is_within = fit(points);
     if (!is_found_) {
         decided_.clear();
@@ -61,7 +61,8 @@ bool StretchPlanner::decide(std::span<const PathPoint> points, std::span<const P
 }
 
 // All nodes before the one before that on the point are dropped, and of its cell the half that is not needed.
-void StretchPlanner::go_on_from(std::uint32_t point) {
+// False: its nodes are others now, and decided control points would make another curve than the one before.
+bool StretchPlanner::go_on_from(std::uint32_t point) {
     CurveNodes& nodes = curve_.nodes;
     const auto on_point = std::find(nodes.point_at.begin(), nodes.point_at.end(), point);
     const auto count = static_cast<std::size_t>(on_point - nodes.point_at.begin()) - 1;
@@ -71,6 +72,12 @@ void StretchPlanner::go_on_from(std::uint32_t point) {
     for (auto* places : {&nodes.point_at, &nodes.span_at}) drop_front(*places, count);
     nodes.cell.front() *= 0.5;
     first_node_ = 1;
+    return nodes.step.size() >= first_node_ + kLeastNodes && lengths_around(first_node_) == decided_lengths_;
+}
+
+std::array<double, 4> StretchPlanner::lengths_around(std::size_t node) const {
+    const CurveNodes& nodes = curve_.nodes;
+    return {nodes.step[node - 1], nodes.cell[node], nodes.control_step[node - 1], nodes.control_step[node]};
 }
 
 double StretchPlanner::rest_speed2(std::span<const PathSpan> spans, std::size_t point,
@@ -126,6 +133,7 @@ void StretchPlanner::take_part(std::span<const PathPoint> points, std::span<cons
     if (rests) return;
     const auto decided = curve_.control.begin() + static_cast<std::ptrdiff_t>(end_node) - 1;
     decided_.assign(decided, decided + 3);
+    decided_lengths_ = lengths_around(end_node);
 }
 
 }  // namespace psicarve::plan

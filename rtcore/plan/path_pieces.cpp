@@ -186,8 +186,15 @@ void PieceMaker::keep_tips_apart(const Pulses4& from, const Pulses4& to, Pulses4
     }
     const double missing_mm = std::min(needed_mm, ends_mm) - sum_mm(pulses);
     if (missing_mm <= 0.0) return;
-    for (std::size_t k = 0; k < kHeads; ++k)
-        pulses[k] += static_cast<std::int64_t>(std::ceil(0.5 * missing_mm / soft.mm_per_pulse[k]));
+    // A head that has backlash would turn round by it; the other one, if there is one without, gives way
+    // alone.
+    const auto& axes = limits_.tick.axes;
+    const bool is_shared = (axes[0].backlash_pulses > 0) == (axes[1].backlash_pulses > 0);
+    for (std::size_t k = 0; k < kHeads; ++k) {
+        if (!is_shared && axes[k].backlash_pulses > 0) continue;
+        const double part_mm = is_shared ? 0.5 * missing_mm : missing_mm;
+        pulses[k] += static_cast<std::int64_t>(std::ceil(part_mm / soft.mm_per_pulse[k]));
+    }
 }
 
 // Along a layer Y goes where the curve has it, but only so far from the straight way over psi that the DDA's

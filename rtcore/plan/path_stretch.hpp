@@ -56,7 +56,8 @@ private:
         FittedTimes times;
     };
 
-    void go_on_from(std::uint32_t point);
+    bool go_on_from(std::uint32_t point);
+    std::array<double, 4> lengths_around(std::size_t node) const;
     void take_part(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                    const DecidedPoints& at, CurvePart& part);
     double rest_speed2(std::span<const PathSpan> spans, std::size_t point, const Lanes& slope) const;
@@ -92,6 +93,8 @@ private:
     /// Of a path that goes on: control points before its first node, at it and after it. Then one node stands
     /// before the first, and of its cell only the second half counts.
     std::vector<Lanes> decided_;
+    /// Lengths around the middle one of those: what makes the curve there out of them.
+    std::array<double, 4> decided_lengths_{};
     std::size_t first_node_ = 0;
     bool is_found_ = true;
     Curve curve_;

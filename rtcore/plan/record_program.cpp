@@ -238,6 +238,7 @@ void RecordProgram::close_run(std::size_t point) {
         part.lines = lines_of(begin_, point);
         settle(std::move(part));
         end_run();
+        points_[point].pulses = speeds_.end_pulses();
         rest_at(point);
     } else {
         rest_where_decided();

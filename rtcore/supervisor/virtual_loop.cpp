@@ -54,13 +54,13 @@ public:
         return has_run;
     }
 
-    /// The program that runs has not been written on, and all that was is done, or what is left is the way to
-    /// slow down on: time stands still until it is, or something is asked for. So how quickly somebody writes
-    /// does not show in the trace.
+    /// The program that runs has not been written on, and all that was is done, or nothing is queued
+    /// behind the part at hand: time stands still until it is, or something is asked for. So how quickly
+    /// somebody writes does not show in the trace.
     bool awaits_steps() {
         if (!parts_->cycle->awaits_blocks() || parts_->io->requests.size() > 0) return false;
         if (parts_->io->urgent.failures.load() != 0) return false;
-        if (parts_->planner->wants_poll()) plan();
+        if (parts_->planner->wants_poll() || parts_->planner->is_waiting()) plan();
         return parts_->planner->is_waiting() && parts_->cycle->awaits_blocks();
     }
 

@@ -107,7 +107,7 @@ Result<void> ProgramWriter::begin(milliseconds limit) {
     for (;;) {
         const std::uint32_t seen = event_count(control.ends.was_taken);
         const auto grant = read_record(control.grant);
-        const bool is_new = grant && (grant->program != program_ || !has_same_core());
+        const bool is_new = grant && grant->program != program_;
         if (is_new && grant->claim == claim_ && grant->program != 0) {
             program_ = grant->program;
             core_pid_ = segment_->header().core.pid.load();

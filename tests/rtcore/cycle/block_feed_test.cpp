@@ -142,24 +142,6 @@ TEST(BlockFeed, GoesOnInNoGroupOfAnotherPlan) {
     EXPECT_FALSE(rig.sut.has_next_group());
 }
 
-TEST(BlockFeed, NearsAnOpenEndWhereSpeedsLeaveThePlanForARest) {
-    FeedRig rig;
-    for (std::uint32_t k = 0; k < 20; ++k) {
-        MotionBlock block = feed_block(BlockKind::path, 0, k == 0 ? 20 : 0);
-        block.joints = kGoesOn;
-        block.path.end_speed2 = {1.0, 1.0};
-        block.path.rest_speed2 = {2.0, k < 10 ? 2.0 : 0.5};
-        ASSERT_TRUE(rig.ring->push(block));
-    }
-    ASSERT_TRUE(rig.sut.take_first());
-    for (std::uint32_t k = 0; k < 20; ++k) {
-        EXPECT_EQ(rig.sut.nears_open_end(4), k + 4 >= 10) << k;
-        if (k + 1 < 20) {
-            ASSERT_TRUE(rig.sut.take_next_of_group());
-        }
-    }
-}
-
 TEST(BlockFeed, BreaksAGroupOffAtAnEmptyQueueAnotherEpochOrAnotherKind) {
     const MotionBlock others[] = {feed_block(BlockKind::path, 1), feed_block(BlockKind::line, 0)};
     for (const MotionBlock& other : others) {

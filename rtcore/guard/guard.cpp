@@ -58,15 +58,26 @@ sigset_t orders_to_end() {
     return orders;
 }
 
-/// Of the other signals only a fault of its own ends a guard: otherwise the core would have no guard.
-void ignore_other_signals() {
-    sigset_t kept = orders_to_end();
-    for (const int number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS, SIGCHLD}) {
-        sigaddset(&kept, number);
-    }
+/// Of these only a fault of its own ends a guard: otherwise the core would have no guard.
+sigset_t other_signals() {
+    sigset_t others;
+    sigfillset(&others);
+    const sigset_t orders = orders_to_end();
     for (int number = 1; number <= SIGRTMAX; ++number) {
-        if (sigismember(&kept, number) == 0) signal(number, SIG_IGN);
+        if (sigismember(&orders, number) == 1) sigdelset(&others, number);
     }
+    for (const int number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS, SIGCHLD})
+        sigdelset(&others, number);
+    return others;
+}
+
+/// Those that came while they were held back are gone.
+void ignore_other_signals() {
+    const sigset_t others = other_signals();
+    for (int number = 1; number <= SIGRTMAX; ++number) {
+        if (sigismember(&others, number) == 1) signal(number, SIG_IGN);
+    }
+    sigprocmask(SIG_UNBLOCK, &others, nullptr);
 }
 
 class Guard {
@@ -249,10 +260,13 @@ Result<std::variant<GuardLink, int>> fork_guard(const GuardDuty& duty) {
     }
     // A terminal's Ctrl-Z would leave the spindle running; and words need not be read.
     for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU, SIGPIPE}) signal(number, SIG_IGN);
-    // An order that comes now waits until one of the two processes can take it.
+    // An order that comes now waits until one of the two processes can take it; and no other signal ends a
+    // guard that does not ignore them yet.
     const sigset_t order_set = orders_to_end();
+    const sigset_t others = other_signals();
     sigset_t before;
     sigprocmask(SIG_BLOCK, &order_set, &before);
+    sigprocmask(SIG_BLOCK, &others, nullptr);
     std::fflush(nullptr);
     const pid_t pid = fork();
     if (pid <= 0) sigprocmask(SIG_SETMASK, &before, nullptr);

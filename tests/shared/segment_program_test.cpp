@@ -266,14 +266,17 @@ TEST_F(SegmentProgram, AWriterThatOutlivesItsCoreHearsThatTheCoreHasEnded) {
     }
 }
 
-// Both cores begin to number alike here: the writer must not wait for another number than it gets.
+// Not what the core before had given, which still stands there until the next one serves programs.
 TEST_F(SegmentProgram, AWriterThatOutlivesItsCoreGetsAProgramOfTheNext) {
     ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
     ASSERT_TRUE(open_for(writer).has_value());
     core_->release_core();
     ASSERT_TRUE(core_->claim_core().has_value());
     core_->header().core.start_time.fetch_add(1);
-    desk_.emplace(*core_);
+    const auto too_early = writer.begin(milliseconds{1});
+    ASSERT_FALSE(too_early.has_value());
+    EXPECT_EQ(too_early.error().code, ErrorCode::timed_out);
+    desk_.emplace(*core_, 1000);
 
     ASSERT_TRUE(open_for(writer).has_value());
 

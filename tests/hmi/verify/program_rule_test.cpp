@@ -240,7 +240,7 @@ TEST(ProgramRule, JudgesTheOtherRulesAsForAJob) {
 
 TEST(ProgramRule, SaysWhatIsWrongWithItsProgram) {
     PlacedMachine machine = exact_machine();
-    const auto report = judged("G21 G90 G94 F300\nG1 X39 C9\nG1 X#1\nM2\n", machine);
+    const auto report = judged("G21 G90 G94 F300\nG1 X39 C9\nG1 X[1/0]\nM2\n", machine);
     EXPECT_FALSE(report.ok);
     ASSERT_TRUE(report.failure);
     EXPECT_NE(report.failure->message.find("line 3"), std::string::npos) << report.failure->message;

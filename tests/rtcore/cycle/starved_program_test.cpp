@@ -44,7 +44,10 @@ TEST(StarvedProgram, RestsOnItsPathAndGoesOnWithTheSamePulses) {
             EXPECT_EQ(sut.program().starvations, 1U);
             // The end of the only group that is settled.
             EXPECT_EQ(sut.program().line, RecordProgram::kPartPoints);
-            EXPECT_EQ(sut.positions(), script.steps[RecordProgram::kPartPoints - 1].target_pulses);
+            // On the curve, which passes the point within the tolerance.
+            const Pulses4 point = script.steps[RecordProgram::kPartPoints - 1].target_pulses;
+            for (std::size_t k = 0; k < kAxisCount; ++k)
+                EXPECT_NEAR(static_cast<double>(sut.positions()[k]), static_cast<double>(point[k]), 8.0);
             sut.run(3 * kPatienceTicks);
             EXPECT_EQ(sut.program().starvations, 1U);
             source->written = script.steps.size();

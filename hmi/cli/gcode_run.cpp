@@ -38,7 +38,8 @@ namespace {
 constexpr CommandText kGcodeRunText{
     "run", "Runs a program in G-code on the machine",
     "Uses the core that serves the segment, whose axes must be homed. With --simulate it starts one of its\n"
-    "own on the simulated machine with the virtual clock, homes it, verifies its pins while it runs, and ends\n"
+    "own on the simulated machine with the virtual clock, homes it, verifies its pins while it runs, and "
+    "ends\n"
     "it.\n"
     "A file is checked to its end before anything moves; standard input is run as it comes, from rest to "
     "rest.\n"

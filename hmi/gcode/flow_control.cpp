@@ -48,6 +48,21 @@ FlowControl::Outcome FlowControl::run(std::string_view line, std::size_t o_word)
     return dispatch(reader, word, line);
 }
 
+bool FlowControl::pass_over() noexcept {
+    if (!calls_.empty()) return false;
+    for (Frame& frame : frames_) {
+        frame.is_running = false;
+        frame.is_over = true;
+    }
+    return !frames_.empty();
+}
+
+FlowControl::Outcome FlowControl::pass(std::string_view line) {
+    const auto begin = o_word_in(line, skips_deleted_);
+    if (!begin) return Fault{};
+    return run(line, *begin);
+}
+
 FlowControl::Outcome FlowControl::dispatch(OWordReader& reader, const OWord& word, std::string_view line) {
     switch (word.keyword) {
         case OKeyword::label:

@@ -44,6 +44,10 @@ public:
 
     /// The line of an O word that begins at this index. It was the last one that the source gave.
     Outcome run(std::string_view line, std::size_t o_word);
+    /// The program has ended: whether blocks of its own are open, whose ends alone are sought from here on.
+    bool pass_over() noexcept;
+    /// A line behind pass_over().
+    Outcome pass(std::string_view line);
     /// Only how it is written.
     std::optional<Problem> judge(std::string_view line, std::size_t o_word);
     Outcome call(const CallByNumber& call);

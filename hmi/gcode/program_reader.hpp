@@ -30,6 +30,7 @@ private:
     bool is_frame(std::string_view line);
     bool is_judging() const noexcept;
     Result<void> leave_flow();
+    Result<void> pass_to_block_end();
     bool has_read_plain(std::string_view line);
     Result<void> read_o_word(std::string_view line);
     Result<void> jump();

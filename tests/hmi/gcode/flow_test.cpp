@@ -170,6 +170,24 @@ TEST(Flow, WarnsOnceOfWhatALoopRepeats) {
     EXPECT_EQ(read->problems.warning_count(), 1U);
 }
 
+TEST(Flow, IsNotEndedByAPercentWithinABlock) {
+    EXPECT_EQ(faults_in("%\nF100\no1 repeat [10]\nG91 G1 Y1\n%\n"), Faults{"3:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\no1 if [1]\nG0 X1\n%\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\nF100\no1 call\nG1 X30\nM2\no1 sub\nG1 X5\n%\n"), Faults{"6:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\nM98 P1\nM2\nO1\nG0 X5\n%\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(moves_in("%\no1 repeat [2]\nG0 X1\no1 endrepeat\n%\n"), "3:1 3:1 ");
+}
+
+TEST(Flow, MayBeEndedWithinABlockThatHasAnEnd) {
+    EXPECT_EQ(faults_in("F100\no1 repeat [10]\nG1 Y1\nM2\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(faults_in("o1 repeat [10]\no2 if [1]\nG0 Y1\nM2\no2 endif\n"), Faults{"1:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\no1 if [1]\nG0 Y1\nM30\n%\no1 endif\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(faults_in("o1 if [1]\nG0 Y1\nM2\no2 endif\n"), Faults{"4:1 o_word_unmatched"});
+    EXPECT_EQ(moves_in("o1 while [1]\nG0 X1\no2 if [#1 EQ 1]\nM2\no2 else\n#1=1\no2 endif\no1 endwhile\n"
+                       "X9 &\n"),
+              "2:1 2:1 ");
+}
+
 /// A stream that never ends: a loop's begin, and then lines.
 std::unique_ptr<ReadProgram> read_endless(const std::string& begin, const std::string& line) {
     auto read = std::make_unique<ReadProgram>();

@@ -39,6 +39,8 @@ public:
 
     /// An O word was met, or M98.
     bool has_begun() const noexcept { return has_begun_; }
+    /// Where the subroutine begins that is called; 0: the main program is run.
+    std::uint64_t called_line() const noexcept { return calls_.empty() ? 0 : calls_.back().body.line; }
     /// False: lines are passed over, as in a branch that is not taken.
     bool is_running() const noexcept { return is_running_below(frames_.size()); }
 

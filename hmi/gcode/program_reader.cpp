@@ -61,6 +61,7 @@ Result<ProgramFacts> ProgramReader::read() {
         if (!has_line) return has_line.error();
         if (!*has_line) break;
         interpreter_->begin_line(lines_.number());
+        if (flow_.is_running()) sink_.begin_line({lines_.number(), flow_.called_line()});
         if (flow_.has_begun() && !is_work_bounded()) break;
         if (lines_.number() > line_count_) {
             line_count_ = lines_.number();

@@ -175,7 +175,10 @@ bool ProgramReader::is_work_bounded() {
         tell(std::nullopt);
         return false;
     }
-    if (lines_.number() > line_count_) return true;
+    if (flow_.called_line() == 0 && lines_.number() > main_line_count_) {
+        main_line_count_ = lines_.number();
+        return true;
+    }
     sink_.end_block();
     ++repeated_blocks_;
     ++idle_blocks_;

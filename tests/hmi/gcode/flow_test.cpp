@@ -151,6 +151,21 @@ TEST(Flow, EndsALoopThatMovesNothing) {
     EXPECT_EQ(faults("o1 repeat [2]\no1 endrepeat\n" + std::string(2000, '\n')), Faults{});
 }
 
+TEST(Flow, CountsNoLinesThatAreReadFirstBehindAFarCall) {
+    InterpreterOptions options;
+    options.most_idle_blocks = 1000;
+    options.most_repeated_blocks = 1000;
+    EXPECT_EQ(faults_in("o1 call\n" + std::string(2000, '\n') + "M2\no1 sub\nG0 X1\no1 endsub\n", options),
+              Faults{});
+    EXPECT_EQ(faults_in("o1 call\nM2\no1 sub\n" + std::string(2000, '\n') + "o1 endsub\n", options),
+              Faults{"1004:1 endless"});
+}
+
+TEST(Flow, FindsASubroutineBehindAComment) {
+    EXPECT_EQ(moves_in("o1 call\nM98 P7\nM2\n(a) N5 (b) o1 sub\nG0 X1\no1 endsub\n(c) O7\nG0 X2\nM99\n"),
+              "5:1 8:2 ");
+}
+
 TEST(Flow, EndsALoopThatMovesForEver) {
     InterpreterOptions options;
     options.most_repeated_blocks = 10'000;

@@ -129,6 +129,12 @@ TEST_F(ProgramPins, OfASimulatedMachineLeaveAnOldFileToAWrongProgram) {
     EXPECT_EQ(text_of(file("old.trace")), "of old");
 }
 
+TEST_F(ProgramPins, OfASimulatedMachineAreToldWhereTheirTraceHasNoRoom) {
+    program("stream.ngc", "G21 G90\nG0 X55\nG4 P0.1\nM2\n");
+    EXPECT_EQ(streamed("stream.ngc", "--simulate --trace /dev/full"), 3);
+    EXPECT_NE(text_of(file("said")).find("not complete"), std::string::npos) << text_of(file("said"));
+}
+
 // Standard input is read from where it stands.
 TEST_F(ProgramPins, OfAStreamAreThoseOfWhatIsLeftOfIt) {
     start_core();

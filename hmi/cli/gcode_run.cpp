@@ -20,6 +20,7 @@
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/program_core.hpp"
+#include "hmi/cli/program_ready.hpp"
 #include "hmi/cli/program_report.hpp"
 #include "hmi/cli/program_verify.hpp"
 #include "hmi/cli/program_watch.hpp"
@@ -52,7 +53,6 @@ constexpr CommandText kGcodeRunText{
 constexpr std::chrono::milliseconds kNumberLimit{5000};
 constexpr std::chrono::milliseconds kFirstRecordsLook{2};
 constexpr int kInputLook_ms = 100;
-constexpr const char* kStandardInput = "/dev/stdin";
 constexpr std::uint32_t kNoOverride_percent = 100;
 constexpr std::uint32_t kMostLine = 4'000'000'000U;
 
@@ -66,6 +66,7 @@ struct GcodeRunOptions {
     bool is_dry = false;
     bool is_simulated = false;
     std::string trace;
+    std::optional<gcode::FileState> state;  ///< of a file, as it is checked, run and judged
 
     bool is_stream() const { return path == "-"; }
 };
@@ -91,49 +92,11 @@ gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Prof
     return how;
 }
 
-/// The core's numbers are pulses, and its limits are its own.
-Result<Profile> profile_of_core(const machine::MachineLink& link, const CommonOptions& common) {
-    auto profile = chosen_profile(common);
-    if (!profile) return profile;
-    if (link.segment().header().core_profile_hash.load() == profile_hash(*profile)) return profile;
-    const std::string path = chosen_profile_path(common);
-    return Error{ErrorCode::machine_refused, "the core has another profile than " +
-                                                 (path.empty() ? "the built-in one" : path) +
-                                                 "; name the one that it was started with: --profile FILE"};
-}
-
-Result<void> require_ready(const CoreStatus& status) {
-    if (status.state == MachineState::ready) return {};
-    if (status.state == MachineState::off)
-        return error_from(ErrorCode::machine_refused, message_of(MessageId::not_homed));
-    if (status.state == MachineState::alarm) return machine::alarm_error(status);
-    return error_from(ErrorCode::machine_refused,
-                      message_of(MessageId::busy_for_a_job, argument_of(status.state)));
-}
-
 /// A dry run switches nothing, so it must be off.
 Result<void> require_spindle_off(const GcodeRunOptions& options, const CoreStatus& status) {
     if (!options.is_dry || (status.signals & bit_of(Signal::spindle)) == 0) return {};
     return Error{ErrorCode::machine_refused,
                  "the spindle is on; for a dry run switch it off: psicarve spindle off"};
-}
-
-/// Where one letter moves both heads they must begin alike: the first move would drive R2 where nobody sent
-/// it.
-Result<void> require_heads_alike(const Profile& profile, const CoreStatus& status) {
-    const gcode::AxisLetters letters{profile.gcode};
-    if (letters.letter_of(Axis::r1) != letters.letter_of(Axis::r2)) return {};
-    const auto place = [&](Axis axis) {
-        return static_cast<double>(status.position_pulses[index_of(axis)]) /
-               axis_motion(profile, axis).pulses_per_unit;
-    };
-    const double pulse_mm = 1.0 / std::min(axis_motion(profile, Axis::r1).pulses_per_unit,
-                                           axis_motion(profile, Axis::r2).pulses_per_unit);
-    if (std::abs(place(Axis::r1) - place(Axis::r2)) <= pulse_mm) return {};
-    return Error{
-        ErrorCode::machine_refused,
-        "r2 follows r1 (profile: gcode.second_head), and they stand at different radii; bring them to "
-        "one radius: psicarve move"};
 }
 
 /// Reads the whole file before the first pulse. Nothing: it is wrong, and that was told.
@@ -192,7 +155,7 @@ std::optional<Error> failure_of(const RecordFeeder& feeder, const Segment& segme
 /// The program is written and the machine rests again: the report, and the exit code.
 Result<int> report_end(const CommonOptions& common, const GcodeRunOptions& options,
                        const RecordFeeder& feeder, const std::optional<Error>& failure,
-                       const std::optional<ProgramRun>& run, const PinsJudge& judge) {
+                       const std::optional<ProgramRun>& run, const PinsWork& work) {
     const std::string name = program_name(options.path);
     // A file's warnings were told when it was checked.
     if (options.is_stream() || feeder.problems().error_count() > 0) print_problems(name, feeder.problems());
@@ -201,13 +164,13 @@ Result<int> report_end(const CommonOptions& common, const GcodeRunOptions& optio
         if (common.json) print_json_line(check_json(name, feeder.facts(), feeder.problems()));
         return kExitBadInput;
     }
-    const auto pins = judge();
+    const auto pins = work.judge(*run);
     if (!pins) return pins.error();
     return report_program_run(common, name, *run, *pins);
 }
 
 Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, const GcodeRunOptions& options,
-                     const Profile& profile, OperatorBreak& operator_break, const PinsJudge& judge) {
+                     const Profile& profile, OperatorBreak& operator_break, const PinsWork& work) {
     const auto status = link.status();
     if (!status) return status.error();
     if (const auto ready = require_ready(*status); !ready) return ready.error();
@@ -217,17 +180,18 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     std::uint64_t line_count = 0;
     auto bytes = Result<gcode::ProgramBytes>{Error{ErrorCode::bad_input, {}}};
     if (options.is_stream()) {
-        bytes = gcode::open_program(kStandardInput);
+        bytes = gcode::open_stream(STDIN_FILENO);
     } else {
-        const auto state = gcode::state_of_program(options.path);
-        if (!state) return state.error();
         const auto facts = facts_of_right(options, how, profile, common);
         if (!facts) return facts.error();
         if (!*facts) return kExitBadInput;
         line_count = (*facts)->line_count;
-        bytes = gcode::open_unchanged_program(options.path, *state);
+        bytes = gcode::open_unchanged_program(options.path, *options.state);
     }
     if (!bytes) return bytes.error();
+    if (work.begin) {
+        if (const auto begun = work.begin(); !begun) return begun.error();
+    }
     auto writer = ProgramWriter::claim(link.segment());
     if (!writer) return writer.error();
     if (const auto begun = writer->begin(kNumberLimit); !begun) return begun.error();
@@ -239,7 +203,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     RecordFeeder feeder{{std::move(bytes).value(), awaited_fd, how, steps}, profile, *writer};
     if (const auto waited = wait_for_records(feeder, link, operator_break); !waited) return waited.error();
     if (feeder.records_written() == 0)
-        return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, judge);
+        return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, work);
     ProgramWatch watch{link, operator_break, line_count};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();
@@ -249,7 +213,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (!ended) of_run = operator_break.was_asked() ? operator_break.error({}) : ended.error();
     const auto failure =
         failure_of(feeder, link.segment(), writer->program(), program_name(options.path), of_run);
-    return report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt, judge);
+    return report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt, work);
 }
 
 /// A stream is gone once it is run, and what begins with a line has ways of its own.
@@ -260,86 +224,136 @@ std::string reason_not_to_judge(const GcodeRunOptions& options) {
     return {};
 }
 
-Result<verify::JudgedProgram> program_to_judge_by(const GcodeRunOptions& options, const Profile& profile,
-                                                  std::uint32_t override_percent) {
-    return program_of_file(options.path, language_of(options, profile, CoreStatus{}), override_percent);
+/// The same once it was run.
+std::string reason_not_to_judge(const GcodeRunOptions& options, const Profile& profile,
+                                const ProgramRun& run) {
+    std::string reason = reason_not_to_judge(options);
+    if (reason.empty() && run.was_held && profile.job.lifts_on_hold)
+        reason = "the heads were lifted while it was held";
+    return reason;
+}
+
+verify::JudgedProgram program_to_judge_by(const GcodeRunOptions& options, const Profile& profile,
+                                          std::uint32_t override_percent) {
+    return program_of_file(options.path, *options.state, language_of(options, profile, CoreStatus{}),
+                           override_percent);
+}
+
+/// Of a run that did not come to be judged the trace is finished, too.
+Result<int> with_trace(Result<int> done, const Result<void>& trace) {
+    if (trace) return done;
+    if (done) return trace.error();
+    print_warning(trace.error().message);
+    return done;
+}
+
+/// A trace of old is not lost for a program that is wrong.
+Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions& options,
+                              const Profile& profile) {
+    if (options.trace.empty() || options.is_stream()) return true;
+    gcode::InterpreterOptions how = language_of(options, profile, CoreStatus{});
+    how.start = how.reference;
+    const auto facts = facts_of_right(options, how, profile, common);
+    if (!facts) return facts.error();
+    return facts->has_value();
 }
 
 /// On a core of our own: it is homed, and its pins are judged while it runs.
 Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& options) {
     const auto profile = chosen_profile(common);
     if (!profile) return profile.error();
-    ProgramCoreLaunch launch{common.segment, common.group, false, options.trace, std::nullopt};
-    const std::string reason = reason_not_to_judge(options);
-    if (reason.empty()) {
-        auto program = program_to_judge_by(options, *profile, kNoOverride_percent);
-        if (!program) return program.error();
-        launch.program = std::move(*program);
-    }
+    const auto worth = is_worth_a_trace(common, options, *profile);
+    if (!worth) return worth.error();
+    if (!*worth) return kExitBadInput;
+    const bool is_there = Segment::attach(common.segment).has_value();
+    ProgramCoreLaunch launch{common.segment, common.group, !is_there, options.trace, std::nullopt};
+    if (reason_not_to_judge(options).empty())
+        launch.program = program_to_judge_by(options, *profile, kNoOverride_percent);
     OperatorBreak operator_break;
     auto core = ProgramCore::start(std::move(launch), *profile);
     if (!core) return core.error();
     print_note("the machine is simulated");
     if (const auto homed = (*core)->home(operator_break); !homed) return homed.error();
-    const auto judge = [&]() -> Result<PinsVerdict> {
+    bool is_finished = false;
+    const auto judge = [&](const ProgramRun& run) -> Result<PinsVerdict> {
+        is_finished = true;
         auto report = (*core)->finish();
-        if (!report && reason.empty()) return report.error();
-        PinsVerdict pins{{}, reason, options.trace};
-        if (report) pins.verification = std::move(*report);
+        if (!report) return report.error();
+        PinsVerdict pins{{}, reason_not_to_judge(options, *profile, run), options.trace, true};
+        if (pins.unverified_reason.empty() && run.most_override_percent > kNoOverride_percent)
+            pins.unverified_reason =
+                "the feed was raised to " + std::to_string(run.most_override_percent) + " % while it ran";
+        if (pins.unverified_reason.empty()) pins.verification = std::move(*report);
         return pins;
     };
-    return run_read((*core)->link(), common, options, *profile, operator_break, judge);
+    auto done = run_read((*core)->link(), common, options, *profile, operator_break, {{}, judge});
+    if (is_finished || options.trace.empty()) return done;
+    const auto report = (*core)->finish();
+    const bool is_lost = !report && report.error().code == ErrorCode::out_of_room;
+    return with_trace(std::move(done), is_lost ? Result<void>{report.error()} : Result<void>{});
 }
 
 /// Judges the recording of a running core.
-Result<PinsVerdict> judged_recording(const GcodeRunOptions& options, const Profile& profile) {
-    PinsVerdict pins{{}, reason_not_to_judge(options), options.trace};
+Result<PinsVerdict> judged_recording(const GcodeRunOptions& options, const Profile& profile,
+                                     const ProgramRun& run) {
+    PinsVerdict pins{{}, reason_not_to_judge(options, profile, run), options.trace};
     if (!pins.unverified_reason.empty()) return pins;
-    auto program = program_to_judge_by(options, profile, kMostOverride_percent);
-    if (!program) return program.error();
     auto trace = verify::open_trace(options.trace);
     if (!trace) return trace.error();
-    verify::ProgramVerifier verifier{std::move(*program), profile};
+    const std::uint32_t most_percent = std::max(run.most_override_percent, kNoOverride_percent);
+    verify::ProgramVerifier verifier{program_to_judge_by(options, profile, most_percent), profile};
     auto report = verify::judged_trace(verifier, **trace, {});
     if (!report) return report.error();
+    if (report->failure) return *report->failure;
     pins.verification = std::move(*report);
     return pins;
 }
 
-Result<int> run(const CommonOptions& common, const GcodeRunOptions& options) {
+Result<int> run_on_core(machine::MachineLink& link, const CommonOptions& common,
+                        const GcodeRunOptions& options) {
+    const auto profile = profile_of_core(link, common);
+    if (!profile) return profile.error();
+    OperatorBreak operator_break;
+    if (options.is_stream()) {
+        if (const auto begun = wait_for_input(link, operator_break); !begun) return begun.error();
+    }
+    std::unique_ptr<machine::RecordedPins> recording;
+    bool is_finished = false;
+    PinsWork work;
+    work.begin = [&]() -> Result<void> {
+        if (options.trace.empty()) return {};
+        auto begun = machine::RecordedPins::start_file(link, options.trace);
+        if (!begun) return begun.error();
+        recording = std::move(*begun);
+        return {};
+    };
+    work.judge = [&](const ProgramRun& run) -> Result<PinsVerdict> {
+        if (!recording) return PinsVerdict{{}, "no trace was asked for", {}};
+        is_finished = true;
+        if (const auto whole = recording->finish_file(); !whole) return whole.error();
+        return judged_recording(options, *profile, run);
+    };
+    auto done = run_read(link, common, options, *profile, operator_break, work);
+    if (is_finished || !recording) return done;
+    return with_trace(std::move(done), recording->finish_file());
+}
+
+Result<int> run(const CommonOptions& common, const GcodeRunOptions& asked) {
+    GcodeRunOptions options = asked;
     if (options.is_stream() && options.from_line > 1)
         return Error{ErrorCode::bad_usage, "--from-line: for a file; standard input is run as it comes"};
     if (const auto writable = check_output_folder(options.trace); !writable) return writable.error();
     auto link = link_to_core(common);
-    if (options.is_simulated) {
-        if (link)
-            return Error{ErrorCode::bad_usage,
-                         "--simulate: a core serves " + common.segment + " already; give another --segment"};
-        if (link.error().code != ErrorCode::no_core) return link.error();
-        return run_simulated(common, options);
+    if (options.is_simulated && link)
+        return Error{ErrorCode::bad_usage,
+                     "--simulate: a core serves " + common.segment + " already; give another --segment"};
+    if (!link && (!options.is_simulated || link.error().code != ErrorCode::no_core)) return link.error();
+    if (!options.is_stream()) {
+        const auto state = gcode::state_of_program(options.path);
+        if (!state) return state.error();
+        options.state = *state;
     }
-    if (!link) return link.error();
-    const auto profile = profile_of_core(*link, common);
-    if (!profile) return profile.error();
-    OperatorBreak operator_break;
-    if (options.is_stream()) {
-        if (const auto begun = wait_for_input(*link, operator_break); !begun) return begun.error();
-    }
-    std::unique_ptr<machine::RecordedPins> recording;
-    if (!options.trace.empty()) {
-        auto begun = machine::RecordedPins::start_file(*link, options.trace);
-        if (!begun) return begun.error();
-        recording = std::move(*begun);
-    }
-    const auto judge = [&]() -> Result<PinsVerdict> {
-        if (!recording) return PinsVerdict{{}, "no trace was asked for", {}};
-        if (const auto whole = recording->finish_file(); !whole) return whole.error();
-        return judged_recording(options, *profile);
-    };
-    auto done = run_read(*link, common, options, *profile, operator_break, judge);
-    // Of a run that failed, too.
-    if (recording && !done) (void)recording->finish_file();
-    return done;
+    return options.is_simulated ? run_simulated(common, options) : run_on_core(*link, common, options);
 }
 
 }  // namespace

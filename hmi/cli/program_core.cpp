@@ -105,15 +105,16 @@ Result<void> ProgramCore::home(OperatorBreak& operator_break) {
     return {};
 }
 
-Result<verify::ProgramVerifyReport> ProgramCore::finish() {
+Result<std::optional<verify::ProgramVerifyReport>> ProgramCore::finish() {
     // As long as it takes: the virtual clock waits for who reads its trace.
     (void)core_.end_while([] { return true; });
     core_.end();
     if (thread_.joinable()) thread_.join();
     if (const auto whole = pass_on(core_.messages(), trace_path_); !whole) return whole.error();
-    if (!report_) return Error{ErrorCode::cancelled, "nobody judges the pins"};
-    if (*report_ && (*report_)->failure) return *(*report_)->failure;
-    return *report_;
+    if (!report_) return std::optional<verify::ProgramVerifyReport>{};
+    if (!*report_) return report_->error();
+    if ((*report_)->failure) return *(*report_)->failure;
+    return std::optional{**report_};
 }
 
 }  // namespace psicarve::cli

@@ -36,8 +36,9 @@ public:
 
     machine::MachineLink& link() noexcept { return link_; }
     Result<void> home(OperatorBreak& operator_break);
-    /// Ends the core and returns what its pins came to; an error where its trace is not whole.
-    Result<verify::ProgramVerifyReport> finish();
+    /// Ends the core and returns what its pins came to, nothing where they are not judged; an error where its
+    /// trace is not whole.
+    Result<std::optional<verify::ProgramVerifyReport>> finish();
 
 private:
     ProgramCore(machine::CoreProcess core, machine::MachineLink link) noexcept

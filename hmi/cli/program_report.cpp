@@ -18,7 +18,8 @@ nlohmann::ordered_json run_json(const std::string& name, const ProgramRun& run, 
                                 {"ok", true},
                                 {"line", run.program.line},
                                 {"seconds", run.seconds},
-                                {"starvations", run.program.starvations}};
+                                {"starvations", run.program.starvations},
+                                {"simulated", pins.is_simulated}};
     const auto& seen = pins.verification;
     json["verified"] = seen ? nlohmann::ordered_json(seen->ok) : nlohmann::ordered_json(nullptr);
     if (seen) {
@@ -33,7 +34,8 @@ nlohmann::ordered_json run_json(const std::string& name, const ProgramRun& run, 
 }
 
 void print_text(const std::string& name, const ProgramRun& run, const PinsVerdict& pins) {
-    std::printf("%s: done, up to line %llu, %s of machine time\n", name.c_str(),
+    std::printf("%s: done%s, up to line %llu, %s of machine time\n", name.c_str(),
+                pins.is_simulated ? " on the simulated machine" : "",
                 static_cast<unsigned long long>(run.program.line), clock_text(run.seconds).c_str());
     if (const auto& seen = pins.verification) {
         if (!seen->lowered.empty())

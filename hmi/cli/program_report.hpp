@@ -17,10 +17,17 @@ struct PinsVerdict {
     std::optional<verify::ProgramVerifyReport> verification;
     std::string unverified_reason;  ///< where they were not judged
     std::string trace_path;         ///< of the file that was written; empty: none
+    bool is_simulated = false;      ///< they are those of no real machine
 };
-/// Asked once the program is run to its end, when the machine is no longer needed. An error: a trace that was
-/// asked for is not there.
-using PinsJudge = std::function<Result<PinsVerdict>()>;
+/// Of a program's run.
+struct PinsWork {
+    /// Before the first record is written, once the program is known to be right; empty: nothing is to be
+    /// done.
+    std::function<Result<void>()> begin;
+    /// Once the program is run to its end, when the machine is no longer needed. An error: a trace that was
+    /// asked for is not there.
+    std::function<Result<PinsVerdict>(const ProgramRun& run)> judge;
+};
 
 /// The report of a program that was run to its end, and the exit code.
 int report_program_run(const CommonOptions& common, const std::string& name, const ProgramRun& run,

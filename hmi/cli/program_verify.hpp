@@ -20,10 +20,10 @@ struct ProgramVerifyOptions {
     std::uint32_t override_percent = 100;
 };
 
-/// A file of G-code, to be judged by. bad_input where it cannot be read again and again.
-Result<verify::JudgedProgram> program_of_file(const std::string& path,
-                                              const gcode::InterpreterOptions& language,
-                                              std::uint32_t override_percent);
+/// A file of G-code as it was when its state was taken, to be judged by.
+verify::JudgedProgram program_of_file(const std::string& path, const gcode::FileState& state,
+                                      const gcode::InterpreterOptions& language,
+                                      std::uint32_t override_percent);
 
 /// Judges a trace by a program, prints the report and returns the exit code.
 Result<int> verify_program(const CommonOptions& common, const std::string& trace_path,

@@ -31,6 +31,8 @@ Result<void> ProgramWatch::look(const CoreStatus& status) {
     const ProgramReport report = program_report(link_.segment());
     const ProgramStatus& program = report.status;
     tell_hold(report);
+    most_override_percent_ = std::max(most_override_percent_, status.override_percent);
+    was_held_ = was_held_ || status.state == MachineState::held || program.starvations > 0;
     bar_.relabel(std::string{name_of(status.state)});
     const double done =
         line_count_ == 0 ? 0.0 : static_cast<double>(program.line) / static_cast<double>(line_count_);
@@ -61,7 +63,9 @@ Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& s
                                                      ": somebody stopped it; --from-line goes on"};
     }
     const std::int64_t ticks = static_cast<std::int64_t>(ended->tick - before->tick);
-    return ProgramRun{report.status, seconds_from_ns(ticks * ended->period_ns)};
+    const std::uint32_t most_percent = std::max(before->override_percent, watch.most_override_percent());
+    return ProgramRun{report.status, seconds_from_ns(ticks * ended->period_ns), most_percent,
+                      watch.was_held() || report.status.starvations > 0};
 }
 
 }  // namespace psicarve::cli

@@ -22,6 +22,9 @@ public:
         : link_(link), operator_break_(operator_break), bar_("starting"), line_count_(line_count) {}
 
     Result<void> look(const CoreStatus& status);
+    /// The highest feed that was seen, and whether the machine was held.
+    std::uint32_t most_override_percent() const noexcept { return most_override_percent_; }
+    bool was_held() const noexcept { return was_held_; }
 
 private:
     void tell_hold(const ProgramReport& report);
@@ -31,12 +34,16 @@ private:
     ProgressBar bar_;
     std::uint64_t line_count_;
     ProgramHold told_hold_ = ProgramHold::none;
+    std::uint32_t most_override_percent_ = 0;
+    bool was_held_ = false;
 };
 
 /// What a program that was run to its end came to.
 struct ProgramRun {
     ProgramStatus program{};
-    double seconds = 0.0;  ///< of the machine
+    double seconds = 0.0;                     ///< of the machine
+    std::uint32_t most_override_percent = 0;  ///< of the feed
+    bool was_held = false;                    ///< by whomever
 };
 
 struct ProgramStart {

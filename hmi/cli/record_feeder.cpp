@@ -52,6 +52,7 @@ public:
         machine_.take(record);
         if (!is_wrong()) maker_.take(record);
     }
+    void begin_line(const gcode::ReachedLine& line) override { maker_.begin_line(line); }
     void end_block() override { maker_.end_block(); }
     bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
 

@@ -44,11 +44,23 @@ struct CanonRecord {
     int turns = 0;  ///< begun, > 0 counterclockwise
 };
 
+/// A line that is executed.
+struct ReachedLine {
+    std::uint64_t number = 0;
+    std::uint64_t called_line = 0;  ///< where the subroutine begins that it stands in; 0: the main program
+
+    /// Whether a program that begins with this line has come to it. A subroutine that begins behind the line
+    /// may be called before it.
+    bool is_at_or_behind(std::uint64_t line) const noexcept { return number >= line && called_line <= line; }
+};
+
 /// Takes records in the order of their execution.
 class CanonSink {
 public:
     virtual ~CanonSink() = default;
     virtual void take(const CanonRecord& record) = 0;
+    /// Before its records.
+    virtual void begin_line(const ReachedLine&) {}
     /// What follows is of another block, though perhaps of the same line.
     virtual void end_block() {}
     /// False: it has failed, and there is no use in reading on.

@@ -15,12 +15,17 @@ bool is_space(char byte) noexcept {
     return byte == ' ' || byte == '\t' || byte == '\r';
 }
 
-/// Index of the O that a line begins with, apart from / and the line's number.
+/// Index of the O that a line begins with, apart from comments, / and the line's number.
 std::optional<std::size_t> o_word_in(std::string_view line, bool skips_deleted) noexcept {
     bool is_in_number = false;
     for (std::size_t at = 0; at < line.size(); ++at) {
         const char byte = line[at];
         if (byte == 'o' || byte == 'O') return at;
+        if (byte == '(') {
+            at = line.find(')', at);
+            if (at == std::string_view::npos) return std::nullopt;
+            continue;
+        }
         if (byte == '/' && skips_deleted) return std::nullopt;
         if (byte == 'n' || byte == 'N') is_in_number = true;
         const bool is_digit = byte >= '0' && byte <= '9';
@@ -46,6 +51,21 @@ FlowControl::Outcome FlowControl::run(std::string_view line, std::size_t o_word)
     OWord word;
     if (auto wrong = reader.read(o_word, !is_running(), word)) return wrong;
     return dispatch(reader, word, line);
+}
+
+bool FlowControl::pass_over() noexcept {
+    if (!calls_.empty()) return false;
+    for (Frame& frame : frames_) {
+        frame.is_running = false;
+        frame.is_over = true;
+    }
+    return !frames_.empty();
+}
+
+FlowControl::Outcome FlowControl::pass(std::string_view line) {
+    const auto begin = o_word_in(line, skips_deleted_);
+    if (!begin) return Fault{};
+    return run(line, *begin);
 }
 
 FlowControl::Outcome FlowControl::dispatch(OWordReader& reader, const OWord& word, std::string_view line) {

@@ -39,11 +39,17 @@ public:
 
     /// An O word was met, or M98.
     bool has_begun() const noexcept { return has_begun_; }
+    /// Where the subroutine begins that is called; 0: the main program is run.
+    std::uint64_t called_line() const noexcept { return calls_.empty() ? 0 : calls_.back().body.line; }
     /// False: lines are passed over, as in a branch that is not taken.
     bool is_running() const noexcept { return is_running_below(frames_.size()); }
 
     /// The line of an O word that begins at this index. It was the last one that the source gave.
     Outcome run(std::string_view line, std::size_t o_word);
+    /// The program has ended: whether blocks of its own are open, whose ends alone are sought from here on.
+    bool pass_over() noexcept;
+    /// A line behind pass_over().
+    Outcome pass(std::string_view line);
     /// Only how it is written.
     std::optional<Problem> judge(std::string_view line, std::size_t o_word);
     Outcome call(const CallByNumber& call);

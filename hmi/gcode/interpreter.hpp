@@ -79,6 +79,8 @@ private:
     bool are_places_doubtful() const noexcept {
         return are_units_doubtful_ || is_distance_doubtful_ || are_values_doubtful_;
     }
+    /// Whether words of the block may mean other lengths, or other values.
+    bool are_words_doubtful() const noexcept { return are_units_doubtful_ || are_values_doubtful_; }
     Fault judge();
     Fault judge_motion();
     Fault judge_claims();
@@ -100,6 +102,7 @@ private:
     Fault do_once();
     Fault set_coordinates();
     void set_shift();
+    void note_unknown(AxisMask& zeros, AxisMask axes, AxisMask unplaced) const noexcept;
     void go_to_reference(std::size_t which);
     Fault stop();
     Fault want_jump(int code);

@@ -77,7 +77,9 @@ AxisMask Interpreter::both_if_turned(AxisMask axes) const noexcept {
 }
 
 AxisMask Interpreter::unknown_zeros() const noexcept {
-    return both_if_turned(static_cast<AxisMask>(unknown_.shift | unknown_.origins[offsets_.active()]));
+    return static_cast<AxisMask>(
+        both_if_turned(static_cast<AxisMask>(unknown_.shift | unknown_.origins[offsets_.active()])) |
+        unknown_.tool);
 }
 
 void Interpreter::note_places(AxisMask axes, bool is_machine) noexcept {

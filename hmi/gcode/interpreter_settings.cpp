@@ -150,11 +150,13 @@ Interpreter::Fault Interpreter::set_length() {
     if (code == kNoCode) return std::nullopt;
     if (code == 490) {
         offsets_.clear_tool();
+        unknown_.tool = 0;
     } else {
         Position length{};
         for (std::size_t axis = 0; axis < kLetterCount; ++axis)
             if ((words_.axes() & mask_of(axis)) != 0) length[axis] = axis_mm(axis);
         offsets_.set_tool(words_.axes(), length);
+        note_unknown(unknown_.tool, words_.axes(), 0);
     }
     refresh_program();
     return std::nullopt;
@@ -232,9 +234,10 @@ Interpreter::Fault Interpreter::set_coordinates() {
     const AxisMask axes = kind == 20.0 ? both_if_turned(words_.axes()) : words_.axes();
     const AxisMask unplaced =
         both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.shift));
-    AxisMask& unknown = unknown_.origins[system];
-    unknown = static_cast<AxisMask>((unknown & ~axes) |
-                                    (kind == 20.0 ? axes & unplaced : (are_units_doubtful_ ? axes : 0)));
+    note_unknown(unknown_.origins[system], axes, kind == 20.0 ? unplaced : AxisMask{0});
+    // Of a rotation both axes.
+    if (words_.has('R') && are_values_doubtful_)
+        unknown_.origins[system] |= static_cast<AxisMask>(mask_of(0) | mask_of(1));
     refresh_program();
     return std::nullopt;
 }
@@ -246,7 +249,12 @@ void Interpreter::set_shift() {
     offsets_.set_shift(machine_, words_.axes(), given);
     const AxisMask unplaced =
         both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.origins[offsets_.active()]));
-    unknown_.shift = static_cast<AxisMask>((unknown_.shift & ~words_.axes()) | (words_.axes() & unplaced));
+    note_unknown(unknown_.shift, words_.axes(), unplaced);
+}
+
+/// Zeros that the block sets: those of unplaced axes, and all where the words are doubtful, are not known.
+void Interpreter::note_unknown(AxisMask& zeros, AxisMask axes, AxisMask unplaced) const noexcept {
+    zeros = static_cast<AxisMask>((zeros & ~axes) | (axes & (are_words_doubtful() ? axes : unplaced)));
 }
 
 void Interpreter::go_to_reference(std::size_t which) {

@@ -36,12 +36,22 @@ private:
 
 FileState state_from(const struct stat& facts) noexcept {
     constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-    return {facts.st_dev, facts.st_ino, facts.st_size,
-            facts.st_mtim.tv_sec * kNsPerSecond + facts.st_mtim.tv_nsec};
+    const auto ns_of = [](const timespec& time) { return time.tv_sec * kNsPerSecond + time.tv_nsec; };
+    return {facts.st_dev, facts.st_ino, facts.st_size, ns_of(facts.st_mtim), ns_of(facts.st_ctim)};
 }
 
 Error wrong_program(const std::string& path) {
     return bad_input(path + ": cannot be read: " + std::strerror(errno));
+}
+
+ByteSource bytes_of(const std::shared_ptr<OpenProgram>& program, const std::string& path) {
+    return [program, path](std::span<char> room) -> Result<std::size_t> {
+        for (;;) {
+            const ssize_t got = read(program->descriptor(), room.data(), room.size());
+            if (got >= 0) return static_cast<std::size_t>(got);
+            if (errno != EINTR) return wrong_program(path);
+        }
+    };
 }
 
 ByteSeek seek_of(const std::shared_ptr<OpenProgram>& program, const std::string& path) {
@@ -158,14 +168,17 @@ Result<ProgramBytes> open_program(const std::string& path) {
     struct stat facts {};
     if (program->descriptor() < 0 || fstat(program->descriptor(), &facts) != 0) return wrong_program(path);
     if (S_ISDIR(facts.st_mode)) return bad_input(path + ": is a folder; name a program");
-    ByteSource bytes{[program, path](std::span<char> room) -> Result<std::size_t> {
-        for (;;) {
-            const ssize_t got = read(program->descriptor(), room.data(), room.size());
-            if (got >= 0) return static_cast<std::size_t>(got);
-            if (errno != EINTR) return wrong_program(path);
-        }
-    }};
-    return ProgramBytes{std::move(bytes), S_ISREG(facts.st_mode) ? seek_of(program, path) : ByteSeek{}};
+    return ProgramBytes{bytes_of(program, path),
+                        S_ISREG(facts.st_mode) ? seek_of(program, path) : ByteSeek{}};
+}
+
+Result<ProgramBytes> open_stream(int descriptor) {
+    const std::string name = "standard input";
+    const auto program = std::make_shared<OpenProgram>(fcntl(descriptor, F_DUPFD_CLOEXEC, 0));
+    struct stat facts {};
+    if (program->descriptor() < 0 || fstat(program->descriptor(), &facts) != 0) return wrong_program(name);
+    if (S_ISDIR(facts.st_mode)) return bad_input(name + ": is a folder; name a program");
+    return ProgramBytes{bytes_of(program, name), ByteSeek{}};
 }
 
 Result<FileState> state_of_program(const std::string& path) {

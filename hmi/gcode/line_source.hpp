@@ -71,12 +71,16 @@ private:
 /// Reads a file; errors name it.
 Result<ProgramBytes> open_program(const std::string& path);
 
+/// Reads what comes from a descriptor, from where it stands, and once. The caller may close its own.
+Result<ProgramBytes> open_stream(int descriptor);
+
 /// The text that a file had at a time.
 struct FileState {
     std::uint64_t device = 0;
     std::uint64_t inode = 0;
     std::int64_t bytes = 0;
-    std::int64_t changed_ns = 0;
+    std::int64_t changed_ns = 0;         ///< the text
+    std::int64_t status_changed_ns = 0;  ///< also where a program sets the time of the text back
     bool operator==(const FileState&) const = default;
 };
 /// bad_input for what is no regular file: it could be read only once.

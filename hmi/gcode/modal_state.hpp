@@ -36,6 +36,7 @@ struct ModalState {
 /// Letters that a program has set where it had not set the place before: the result is not known.
 struct UnknownZeros {
     AxisMask shift = 0;
+    AxisMask tool = 0;
     std::array<AxisMask, 9> origins{};
     std::array<AxisMask, 2> references{};
 };

@@ -43,6 +43,9 @@ bool ProgramReader::is_frame(std::string_view line) {
     if (is_framed_ && is_judging()) {
         is_given_up_ = true;
         if (problems_.error_count() == 0) tell_end();
+    } else if (auto unclosed = is_framed_ ? flow_.unclosed() : std::nullopt) {
+        is_given_up_ = true;
+        problems_.add(std::move(*unclosed));
     } else if (is_framed_) {
         interpreter_->end_by_percent(lines_.number());
     }
@@ -58,6 +61,7 @@ Result<ProgramFacts> ProgramReader::read() {
         if (!has_line) return has_line.error();
         if (!*has_line) break;
         interpreter_->begin_line(lines_.number());
+        if (flow_.is_running()) sink_.begin_line({lines_.number(), flow_.called_line()});
         if (flow_.has_begun() && !is_work_bounded()) break;
         if (lines_.number() > line_count_) {
             line_count_ = lines_.number();
@@ -69,7 +73,28 @@ Result<ProgramFacts> ProgramReader::read() {
         if (!gone) return gone.error();
     }
     if (wants_more()) tell_end();
+    if (const auto closed = pass_to_block_end(); !closed) return closed.error();
     return ProgramFacts{line_count_, interpreter_->motion_count(), interpreter_->has_ended()};
+}
+
+/// M2 may stand in a branch or a loop, which must have its end all the same.
+Result<void> ProgramReader::pass_to_block_end() {
+    if (!interpreter_->has_ended() || problems_.error_count() > 0 || !flow_.pass_over()) return {};
+    std::string_view line;
+    while (problems_.error_count() == 0) {
+        auto unclosed = flow_.unclosed();
+        if (!unclosed) break;
+        const auto has_line = lines_.next(line);
+        if (!has_line) return has_line.error();
+        if (!*has_line || lines_.has_overflowed() || (is_framed_ && is_percent_line(line))) {
+            tell(std::move(unclosed));
+            break;
+        }
+        auto outcome = flow_.pass(line);
+        if (!outcome) return outcome.error();
+        if (*outcome) tell(std::move(*outcome));
+    }
+    return {};
 }
 
 /// Behind a fault what has been read is not read again.
@@ -150,7 +175,10 @@ bool ProgramReader::is_work_bounded() {
         tell(std::nullopt);
         return false;
     }
-    if (lines_.number() > line_count_) return true;
+    if (flow_.called_line() == 0 && lines_.number() > main_line_count_) {
+        main_line_count_ = lines_.number();
+        return true;
+    }
     sink_.end_block();
     ++repeated_blocks_;
     ++idle_blocks_;

@@ -30,6 +30,7 @@ private:
     bool is_frame(std::string_view line);
     bool is_judging() const noexcept;
     Result<void> leave_flow();
+    Result<void> pass_to_block_end();
     bool has_read_plain(std::string_view line);
     Result<void> read_o_word(std::string_view line);
     Result<void> jump();
@@ -52,7 +53,8 @@ private:
     bool has_left_flow_ = false;
     LinePlace furthest_{};  ///< behind the last line of which something is known
     std::uint64_t line_count_ = 0;
-    std::uint64_t repeated_blocks_ = 0;
+    std::uint64_t main_line_count_ = 0;  ///< of the main program, since the first O word
+    std::uint64_t repeated_blocks_ = 0;  ///< behind a jump back, or called
     std::uint64_t idle_blocks_ = 0;
     std::uint64_t actions_ = 0;
 };

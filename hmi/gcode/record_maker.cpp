@@ -40,11 +40,16 @@ RecordMaker::RecordMaker(const Profile& profile, const RunOptions& options, Reco
       turns_shortest_(profile.gcode.turns_shortest),
       out_mm_{furthest_out_mm(profile, Axis::r1), furthest_out_mm(profile, Axis::r2)},
       own_tolerance_mm_(profile.job.path_tolerance_mm),
-      tolerance_mm_(profile.job.path_tolerance_mm) {}
+      tolerance_mm_(profile.job.path_tolerance_mm),
+      has_come_(options.from_line <= 1) {}
+
+void RecordMaker::begin_line(const ReachedLine& line) {
+    has_come_ = has_come_ || line.is_at_or_behind(options_.from_line);
+}
 
 void RecordMaker::take(const CanonRecord& record) {
     if (outlet_.has_failed()) return;
-    if (!has_begun_ && record.line >= options_.from_line) begin(record);
+    if (!has_begun_ && has_come_) begin(record);
     if (turns_shortest_ && record.kind == CanonKind::rapid) shorten_turn(record);
     if (has_begun_) carry_out(record);
     note(record);

@@ -28,6 +28,7 @@ public:
     RecordMaker(const Profile& profile, const RunOptions& options, RecordSink& sink) noexcept;
 
     void take(const CanonRecord& record) override;
+    void begin_line(const ReachedLine& line) override;
     void end_block() override { outlet_.end_block(); }
     bool wants_more() const noexcept override { return !outlet_.has_failed(); }
     /// The program has been read; one without an end gets it here. The first failure, if any.
@@ -72,6 +73,7 @@ private:
     AxisMask placed_ = 0;
     bool has_moved_ = false;
     std::uint64_t line_ = 1;
+    bool has_come_;  ///< to the line to begin with
     bool has_begun_ = false;
     bool has_ended_ = false;
 };

@@ -24,8 +24,10 @@ public:
     ApproachFinder(const gcode::AxisLetters& letters, std::uint32_t from_line) noexcept
         : letters_(letters), from_line_(from_line) {}
 
+    void begin_line(const gcode::ReachedLine& line) override {
+        is_there_ = is_there_ || line.is_at_or_behind(from_line_);
+    }
     void take(const CanonRecord& record) override {
-        is_there_ = is_there_ || record.line >= from_line_;
         if (is_there_) return;
         if (record.kind == CanonKind::spindle) found_.is_spindle_on = record.code == 3;
         const bool moves = record.kind == CanonKind::rapid || record.kind == CanonKind::feed ||
@@ -55,6 +57,9 @@ public:
 
     void take(const CanonRecord& record) override {
         for (gcode::CanonSink* const sink : sinks_) sink->take(record);
+    }
+    void begin_line(const gcode::ReachedLine& line) override {
+        for (gcode::CanonSink* const sink : sinks_) sink->begin_line(line);
     }
     bool wants_more() const noexcept override { return !progress_.is_cancelled.load(); }
 

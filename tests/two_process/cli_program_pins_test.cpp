@@ -29,6 +29,25 @@ protected:
     int verified(const std::string& trace, const std::string& program_path) const {
         return psicarve({"verify", trace, "--program", program_path}).exit_code;
     }
+    /// Of a file as standard input, once `before` has read of it.
+    int streamed(const std::string& name, const std::string& more, const std::string& before = {}) const {
+        const std::string command = "( " + before + "exec " + in_build("bin/psicarve") +
+                                    " gcode run - --segment " + segment_ + " " + more + " ) < " + file(name) +
+                                    " > /dev/null 2> " + file("said");
+        return WEXITSTATUS(std::system(command.c_str()));
+    }
+    /// Of a program that holds once, until `meanwhile` is done.
+    Outcome held_run(std::vector<std::string> arguments, const std::vector<std::string>& meanwhile) const {
+        arguments.insert(arguments.begin(), {"gcode", "run"});
+        arguments.insert(arguments.end(), {"--json", "--segment", segment_});
+        RunningProgram program{"psicarve", arguments};
+        EXPECT_TRUE(eventually([&] { return state() == MachineState::held || program.has_ended(); }));
+        if (!meanwhile.empty()) {
+            EXPECT_EQ(run(meanwhile).exit_code, 0);
+        }
+        EXPECT_EQ(run({"resume"}).exit_code, 0);
+        return program.outcome();
+    }
     /// A text with one of its parts replaced.
     static std::string changed(std::string text, const std::string& from, const std::string& to) {
         const std::size_t at = text.find(from);
@@ -76,6 +95,83 @@ TEST_F(ProgramPins, AreRecordedFromARunningCore) {
     const Outcome served = run({"gcode", "run", path, "--simulate"});
     EXPECT_EQ(served.exit_code, 2);
     EXPECT_NE(served.error.find("a core serves"), std::string::npos) << served.error;
+}
+
+TEST_F(ProgramPins, OfASimulatedMachineSaySoAndLeaveNothing) {
+    const std::string path = program("mixed.ngc", kMixed);
+    const Outcome json = run({"gcode", "run", path, "--simulate", "--json"});
+    EXPECT_EQ(json.json()["simulated"], true) << json.out;
+    EXPECT_FALSE(Segment::attach(segment_));
+    const Outcome text = run({"gcode", "run", path, "--simulate"});
+    EXPECT_NE(text.out.find("done on the simulated machine"), std::string::npos) << text.out;
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    EXPECT_EQ(run({"gcode", "run", path, "--json"}).json()["simulated"], false);
+}
+
+// What was run before the wrong block is recorded, and a file of old stays where nothing was run.
+TEST_F(ProgramPins, AreKeptOfAStreamThatBreaksOff) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    write("old.trace", "of old");
+    const std::string wrong = program("wrong.ngc", "G21 G90 F300\nG1 X&\nM2\n");
+    EXPECT_EQ(run({"gcode", "run", wrong, "--trace", file("old.trace")}).exit_code, 3);
+    EXPECT_EQ(text_of(file("old.trace")), "of old");
+    program("stream.ngc", "G21 G90 F600\nG0 X55\nG4 P0.1\nG1 X&\nM2\n");
+    EXPECT_EQ(streamed("stream.ngc", "--trace " + file("new.trace")), 3);
+    EXPECT_EQ(verified(file("new.trace"), program("right.ngc", "G21 G90\nG0 X55\nM2\n")), 0);
+}
+
+TEST_F(ProgramPins, OfASimulatedMachineLeaveAnOldFileToAWrongProgram) {
+    write("old.trace", "of old");
+    const std::string wrong = program("wrong.ngc", "G21 G90 F300\nG1 X&\nM2\n");
+    EXPECT_EQ(run({"gcode", "run", wrong, "--simulate", "--trace", file("old.trace")}).exit_code, 3);
+    EXPECT_EQ(text_of(file("old.trace")), "of old");
+}
+
+TEST_F(ProgramPins, OfASimulatedMachineAreToldWhereTheirTraceHasNoRoom) {
+    program("stream.ngc", "G21 G90\nG0 X55\nG4 P0.1\nM2\n");
+    EXPECT_EQ(streamed("stream.ngc", "--simulate --trace /dev/full"), 3);
+    EXPECT_NE(text_of(file("said")).find("not complete"), std::string::npos) << text_of(file("said"));
+}
+
+// Standard input is read from where it stands.
+TEST_F(ProgramPins, OfAStreamAreThoseOfWhatIsLeftOfIt) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    program("rest.ngc", "G0 X&\nG21 G90\no1 repeat [2]\nG91 G0 X-1\no1 endrepeat\nM2\n");
+    EXPECT_EQ(streamed("rest.ngc", "--trace " + file("rest.trace"), "read first; "), 0)
+        << text_of(file("said"));
+    EXPECT_EQ(verified(file("rest.trace"), program("right.ngc", "G91 G0 X-1\nG0 X-1\nM2\n")), 0);
+}
+
+TEST_F(ProgramPins, AreNotJudgedWhereAHoldLiftsTheHeads) {
+    write("lift.toml", "[job]\non_hold = \"lift\"\n");
+    const std::string path = program("held.ngc", "G21 G90\nG0 X50 Z50\nM0\nG0 X49\nM2\n");
+    start_core({"--profile", file("lift.toml")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const Outcome done = held_run({path, "--trace", file("pins.trace"), "--profile", file("lift.toml")}, {});
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_EQ(done.json()["unverified_reason"], "the heads were lifted while it was held") << done.out;
+}
+
+TEST_F(ProgramPins, OfASimulatedMachineAreNotJudgedByAFeedThatWasRaised) {
+    const std::string path = program("held.ngc", "G21 G90 F300\nG0 X50 Z50\nM0\nG1 X45\nM2\n");
+    const Outcome raised = held_run({path, "--simulate"}, {"override", "150"});
+    EXPECT_EQ(raised.exit_code, 0) << raised.error;
+    EXPECT_EQ(raised.json()["unverified_reason"], "the feed was raised to 150 % while it ran") << raised.out;
+    const Outcome as_it_is = held_run({path, "--simulate"}, {});
+    EXPECT_EQ(as_it_is.json()["verified"], true) << as_it_is.out;
+}
+
+// The highest that there was, and not the highest that there is.
+TEST_F(ProgramPins, OfARunningCoreAreJudgedByTheFeedThatWasRaised) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const std::string path = program("held.ngc", "G21 G90 F300\nG0 X50 Z50\nM0\nG1 X45\nM2\n");
+    const Outcome done = held_run({path, "--trace", file("pins.trace")}, {"override", "150"});
+    EXPECT_EQ(done.json()["verified"], true) << done.out;
+    EXPECT_EQ(verified(file("pins.trace"), path), 6);
 }
 
 // Nobody who means the machine is shown a simulated one.

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_check.hpp"
 
@@ -20,9 +21,11 @@ Error error_of(const gcode::Problem& problem) {
 
 class CanonStream::Sink : public gcode::CanonSink {
 public:
-    explicit Sink(CanonStream& stream) : stream_(stream) {}
+    Sink(CanonStream& stream, const Profile& profile, gcode::ProblemList& problems)
+        : stream_(stream), machine_(profile, problems) {}
 
     void take(const gcode::CanonRecord& record) override {
+        machine_.take(record);
         records_.push_back(record);
         if (records_.size() >= kRecordsAtOnce) flush();
     }
@@ -31,12 +34,14 @@ public:
 
 private:
     CanonStream& stream_;
+    gcode::MachineCheck machine_;
     std::vector<gcode::CanonRecord> records_;
     bool is_wanted_ = true;
 };
 
-CanonStream::CanonStream(const Opener& open, const gcode::InterpreterOptions& language) {
-    thread_ = std::thread{[this, open, language] { read(open, language); }};
+CanonStream::CanonStream(const Opener& open, const gcode::InterpreterOptions& language,
+                         const Profile& profile) {
+    thread_ = std::thread{[this, open, language, profile] { read(open, language, profile); }};
 }
 
 CanonStream::~CanonStream() {
@@ -48,9 +53,10 @@ CanonStream::~CanonStream() {
     thread_.join();
 }
 
-void CanonStream::read(const Opener& open, const gcode::InterpreterOptions& language) {
-    Sink sink{*this};
+void CanonStream::read(const Opener& open, const gcode::InterpreterOptions& language,
+                       const Profile& profile) {
     gcode::ProblemList problems;
+    Sink sink{*this, profile, problems};
     auto bytes = open();
     std::optional<Error> failure;
     if (bytes) {
@@ -80,6 +86,11 @@ bool CanonStream::put(std::vector<gcode::CanonRecord>& records) {
     lock.unlock();
     was_changed_.notify_all();
     return is_wanted;
+}
+
+std::optional<Error> CanonStream::failure() const {
+    const std::lock_guard lock{mutex_};
+    return failure_;
 }
 
 std::optional<gcode::CanonRecord> CanonStream::next() {

@@ -166,8 +166,10 @@ Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
     const WayTolerance tolerance = tolerance_of(way);
     offence.unit = "mm";
     offence.allowed = way.demand.tolerance_mm;
+    std::array<double, kHeadCount> shares{};
     for (std::size_t head = 0; head < kHeadCount; ++head) {
         const auto nearest = way.demand.way.nearest(head, at, tolerance, way.share[head]);
+        shares[head] = nearest.share;
         if (nearest.mm <= offence.measured) continue;
         offence.measured = nearest.mm;
         offence.axis = kHeads[head];
@@ -177,12 +179,25 @@ Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
                            ? shown_name(offence.axis.value_or(Axis::r1)) +
                                  " is off the way, 1.5 pulses of each axis left out"
                            : std::string{"the path goes back along the way"};
+    const double apart_mm = this->apart_mm(way, at, shares);
+    if (offence.measured > tolerance.mm || apart_mm <= 0.0) return offence;
+    offence.fault = "heads-apart";
+    offence.measured = offence.allowed + apart_mm;
+    offence.axis.reset();
+    offence.sentence = "the heads are not at one place of the way";
     return offence;
 }
 
 void ProgramRule::finish(std::int64_t time_ns) {
+    if (!ways_) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
+    judge_end(time_ns);
+    phase_ = Phase::over;
+    // A wrong program judges nothing, wherever the trace ends.
+    ways_->pass_rest();
+}
+
+void ProgramRule::judge_end(std::int64_t time_ns) {
     if (phase_ == Phase::over) return;
-    if (phase_ == Phase::waiting) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
     const bool is_done = phase_ == Phase::running && window_.back().is_at_end && window_.back().is_on &&
                          live(window_.size()) == nullptr;
     if (is_done) {
@@ -190,7 +205,6 @@ void ProgramRule::finish(std::int64_t time_ns) {
         ways_done_ += window_.size();
         last_ns_ = window_.back().ended_ns;
     }
-    phase_ = Phase::over;
     if (is_done || live(0) == nullptr || ways_->failure() || !log_.count(1, time_ns)) return;
     Offence offence;
     offence.fault = "ends-early";

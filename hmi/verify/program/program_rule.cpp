@@ -118,15 +118,26 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at) {
 bool ProgramRule::stays_on(Live& way, const Positions& at) {
     const WayTolerance tolerance = tolerance_of(way);
     double off_mm = 0.0;
+    std::array<double, kHeadCount> shares{};
     for (std::size_t head = 0; head < kHeadCount; ++head) {
         const auto nearest = way.demand.way.nearest(head, at, tolerance, way.share[head]);
         if (nearest.mm > tolerance.mm) return false;
+        shares[head] = nearest.share;
         if (nearest.share < way.share[head] - way.demand.way.back_share(head, tolerance)) return false;
         way.share[head] = std::max(way.share[head], nearest.share);
         off_mm = std::max(off_mm, nearest.mm);
     }
+    if (apart_mm(way, at, shares) > 0.0) return false;
     most_off_mm_ = std::max(most_off_mm_, off_mm);
     return true;
+}
+
+/// By how much more than they may the heads are at two places of a way. Each alone is that near to its own,
+/// and rounds a corner as it likes: together they may be off twice as much.
+double ProgramRule::apart_mm(const Live& way, const Positions& at,
+                             const std::array<double, kHeadCount>& shares) const noexcept {
+    const WayTolerance tolerance{2.0 * tolerance_of(way).mm, kSlackPulses + 1.0};
+    return way.demand.way.from_one_place_mm(at, tolerance, shares) - tolerance.mm;
 }
 
 /// Whether all of a way was gone along: a circle's end is where it begins.

@@ -38,7 +38,7 @@ struct ProgramBounds {
 
 /// Rule 1 of a program: all its ways are gone along, in order, none of their ends is left out, at no place is
 /// the path further off than their tolerance and 1.5 pulses of an axis, and no way takes less time than its
-/// feed asks for. Ends at rest are reached to the pulse.
+/// feed asks for. Ends at rest are reached to the pulse. Both heads are at one place of a way.
 ///
 /// Where ways are shorter than their tolerance a place may be on several of them: the rule follows all that
 /// the path may have come to by now.
@@ -108,6 +108,8 @@ private:
     Live* live(std::size_t n);
     void follow(std::int64_t time_ns, const Positions& at);
     bool stays_on(Live& way, const Positions& at);
+    double apart_mm(const Live& way, const Positions& at,
+                    const std::array<double, kHeadCount>& shares) const noexcept;
     bool note_end(Live& way, std::int64_t time_ns, const Positions& at);
     bool note_rest(Live& way, std::int64_t time_ns, const Positions& at);
     bool has_come(const Live& way) const noexcept;
@@ -116,6 +118,7 @@ private:
     void note_time(const Live& way);
     void judge_time(const Live& last);
     void note_lowered(const Live& last, double taken_s);
+    void judge_end(std::int64_t time_ns);
     void judge_rest(const Live& way, std::int64_t time_ns);
     void judge_spindle(std::int64_t time_ns, bool spindle_on);
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);

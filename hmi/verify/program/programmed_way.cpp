@@ -105,6 +105,29 @@ double ProgrammedWay::from_end_mm(std::size_t head, const Positions& at, double 
     return off(head, at, to_, pulses).distance_mm();
 }
 
+double ProgrammedWay::both_mm(const Positions& at, double share, double pulses) const noexcept {
+    return std::max(distance_mm(0, at, share, pulses), distance_mm(1, at, share, pulses));
+}
+
+/// Of a line's both distances are convex, and so is the larger of the two.
+double ProgrammedWay::from_one_place_mm(const Positions& at, const WayTolerance& tolerance,
+                                        const std::array<double, kHeadCount>& shares) const noexcept {
+    double low = std::min(shares[0], shares[1]);
+    double high = std::max(shares[0], shares[1]);
+    const double pulses = tolerance.pulses;
+    double least_mm = both_mm(at, low, pulses);
+    if (least_mm > tolerance.mm && low < high) least_mm = std::min(least_mm, both_mm(at, high, pulses));
+    for (int step = 0; step < kSteps && least_mm > tolerance.mm && low < high; ++step) {
+        const double left = high - kGolden * (high - low);
+        const double right = low + kGolden * (high - low);
+        const double left_mm = both_mm(at, left, pulses);
+        const double right_mm = both_mm(at, right, pulses);
+        least_mm = std::min({least_mm, left_mm, right_mm});
+        (left_mm <= right_mm ? high : low) = left_mm <= right_mm ? right : left;
+    }
+    return least_mm;
+}
+
 double ProgrammedWay::back_share(std::size_t head, const WayTolerance& tolerance) const noexcept {
     const Head& of = heads_[head];
     if (of.length_mm <= 0.0) return 1.0;

@@ -69,6 +69,11 @@ public:
     /// The place of a head's way that is nearest to it; on an arc, near the share where it was before.
     Nearest nearest(std::size_t head, const Positions& at, const WayTolerance& tolerance,
                     double share_before) const noexcept;
+    /// How far the head is that is further off the place of the way which both heads are nearest to, less
+    /// what pulses are allowed [mm]; no nearer place is looked for than within the tolerance. `shares`: of
+    /// the places that are nearest to each alone.
+    double from_one_place_mm(const Positions& at, const WayTolerance& tolerance,
+                             const std::array<double, kHeadCount>& shares) const noexcept;
     /// How far a head is from the way's end, less what pulses are allowed [mm].
     double from_end_mm(std::size_t head, const Positions& at, double pulses) const noexcept;
     /// How far back along a head's way its nearest place may come while it goes on, as a share of it.
@@ -90,6 +95,7 @@ private:
 
     Place at(double share) const noexcept;
     Off off(std::size_t head, const Positions& at, const Place& place, double pulses) const noexcept;
+    double both_mm(const Positions& at, double share, double pulses) const noexcept;
     double distance_mm(std::size_t head, const Positions& at, double share, double pulses) const noexcept;
     double share_of_line(std::size_t head, const Positions& at) const noexcept;
     double share_of_arc(const Positions& at, double share_before) const noexcept;

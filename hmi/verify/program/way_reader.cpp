@@ -52,7 +52,7 @@ gcode::InterpreterOptions language_from(const JudgedProgram& program, const gcod
 
 WayReader::WayReader(const JudgedProgram& program, const Profile& profile, const WayScale& scale,
                      const Positions& start)
-    : stream_(program.open, language_from(program, gcode::AxisLetters{profile.gcode}, scale, start)),
+    : stream_(program.open, language_from(program, gcode::AxisLetters{profile.gcode}, scale, start), profile),
       scale_(scale),
       letters_(profile.gcode),
       turns_shortest_(profile.gcode.turns_shortest),
@@ -75,6 +75,11 @@ std::optional<WayDemand> WayReader::next() {
         note_mode(*record);
     }
     return std::exchange(held_, std::nullopt);
+}
+
+void WayReader::pass_rest() {
+    while (stream_.next()) {
+    }
 }
 
 void WayReader::rest(const CanonRecord& record) {

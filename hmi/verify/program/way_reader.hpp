@@ -39,8 +39,10 @@ public:
 
     /// Nothing: the program has no more.
     std::optional<WayDemand> next();
-    /// After next() had nothing: why the program could not be read to its end.
-    const std::optional<Error>& failure() const noexcept { return stream_.failure(); }
+    /// Reads the rest of the program: no more ways are wanted.
+    void pass_rest();
+    /// After pass_rest(), or when next() had nothing: why the program could not be read to its end.
+    std::optional<Error> failure() const { return stream_.failure(); }
 
 private:
     std::optional<WayDemand> way_of(const gcode::CanonRecord& record);

@@ -151,6 +151,21 @@ TEST(Flow, EndsALoopThatMovesNothing) {
     EXPECT_EQ(faults("o1 repeat [2]\no1 endrepeat\n" + std::string(2000, '\n')), Faults{});
 }
 
+TEST(Flow, CountsNoLinesThatAreReadFirstBehindAFarCall) {
+    InterpreterOptions options;
+    options.most_idle_blocks = 1000;
+    options.most_repeated_blocks = 1000;
+    EXPECT_EQ(faults_in("o1 call\n" + std::string(2000, '\n') + "M2\no1 sub\nG0 X1\no1 endsub\n", options),
+              Faults{});
+    EXPECT_EQ(faults_in("o1 call\nM2\no1 sub\n" + std::string(2000, '\n') + "o1 endsub\n", options),
+              Faults{"1004:1 endless"});
+}
+
+TEST(Flow, FindsASubroutineBehindAComment) {
+    EXPECT_EQ(moves_in("o1 call\nM98 P7\nM2\n(a) N5 (b) o1 sub\nG0 X1\no1 endsub\n(c) O7\nG0 X2\nM99\n"),
+              "5:1 8:2 ");
+}
+
 TEST(Flow, EndsALoopThatMovesForEver) {
     InterpreterOptions options;
     options.most_repeated_blocks = 10'000;
@@ -168,6 +183,24 @@ TEST(Flow, WarnsOnceOfWhatALoopRepeats) {
     const Profile profile;
     const auto read = read_program("o1 repeat [50]\nS#1\n#1=[#1+1]\no1 endrepeat\nM2\n", {}, &profile);
     EXPECT_EQ(read->problems.warning_count(), 1U);
+}
+
+TEST(Flow, IsNotEndedByAPercentWithinABlock) {
+    EXPECT_EQ(faults_in("%\nF100\no1 repeat [10]\nG91 G1 Y1\n%\n"), Faults{"3:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\no1 if [1]\nG0 X1\n%\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\nF100\no1 call\nG1 X30\nM2\no1 sub\nG1 X5\n%\n"), Faults{"6:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\nM98 P1\nM2\nO1\nG0 X5\n%\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(moves_in("%\no1 repeat [2]\nG0 X1\no1 endrepeat\n%\n"), "3:1 3:1 ");
+}
+
+TEST(Flow, MayBeEndedWithinABlockThatHasAnEnd) {
+    EXPECT_EQ(faults_in("F100\no1 repeat [10]\nG1 Y1\nM2\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(faults_in("o1 repeat [10]\no2 if [1]\nG0 Y1\nM2\no2 endif\n"), Faults{"1:1 o_word_open"});
+    EXPECT_EQ(faults_in("%\no1 if [1]\nG0 Y1\nM30\n%\no1 endif\n"), Faults{"2:1 o_word_open"});
+    EXPECT_EQ(faults_in("o1 if [1]\nG0 Y1\nM2\no2 endif\n"), Faults{"4:1 o_word_unmatched"});
+    EXPECT_EQ(moves_in("o1 while [1]\nG0 X1\no2 if [#1 EQ 1]\nM2\no2 else\n#1=1\no2 endif\no1 endwhile\n"
+                       "X9 &\n"),
+              "2:1 2:1 ");
 }
 
 /// A stream that never ends: a loop's begin, and then lines.

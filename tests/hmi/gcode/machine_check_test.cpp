@@ -62,6 +62,21 @@ TEST(MachineCheck, DoesNotTakeAnUnknownPlaceForZero) {
     EXPECT_EQ(faults_of("G10 L20 P2 Y0\nG0 Y-5\nM2\n"), Faults{"2:4 outside_travel"});
 }
 
+TEST(MachineCheck, DoesNotTakeAnUnknownValueForAZero) {
+    const auto unknown = [](const std::string& text) {
+        InterpreterOptions options;
+        options.is_start_known = false;
+        const Profile profile;
+        return read_program(text + "\nG0 Y10\nG0 Y-5\nM2\n", options, &profile)->faults();
+    };
+    EXPECT_EQ(unknown("G10 L2 P1 Y[#5421+1]"), Faults{});
+    EXPECT_EQ(unknown("G53 G0 Y5\nG10 L20 P1 Y[#5420]"), Faults{});
+    EXPECT_EQ(unknown("G53 G0 Y5\nG92 Y[#5420]"), Faults{});
+    EXPECT_EQ(unknown("G43.1 Y[#5420]"), Faults{});
+    EXPECT_EQ(unknown("G43.1 Y[#5420]\nG49"), Faults{"4:4 outside_travel"});
+    EXPECT_EQ(unknown("G10 L2 P1 Y1"), Faults{"3:4 outside_travel"});
+}
+
 // The core refuses the record; until then the program would have run.
 TEST(MachineCheck, RefusesDwellsAndWaysLongerThanADay) {
     EXPECT_EQ(faults_of("G4 P86400\nM2\n"), Faults{});

@@ -35,5 +35,28 @@ TEST(RecordsOfLoops, BeginWhereTheLineIsReachedFirst) {
     for (const std::uint64_t line : lines) EXPECT_EQ(line, 4U);
 }
 
+/// Lines of the ways of a program that begins with this one.
+std::vector<std::uint64_t> lines_from(const std::string& text, std::uint64_t line) {
+    RunOptions how;
+    how.from_line = line;
+    const MadeRecords made = made_records(text, how, Profile{});
+    EXPECT_EQ(made.failure, "") << line;
+    return lines_of_ways(made);
+}
+
+TEST(RecordsOfLoops, DoNotBeginInASubroutineBehindTheLine) {
+    using Lines = std::vector<std::uint64_t>;
+    const std::string text =
+        "F100 G91\nG0 Y1\no1 call\nG1 Y2\nM98 P9\nM2\no1 sub\nG1 C9\n(none)\nG1 Y3\no1 endsub\nO9\nG1 "
+        "Y4\nM99\n";
+    // The way to where the program stands is heads, psi and y.
+    EXPECT_EQ(lines_from(text, 4), (Lines{4, 4, 4, 4, 4, 13}));
+    EXPECT_EQ(lines_from(text, 5), (Lines{5, 5, 5, 5, 13}));
+    EXPECT_EQ(lines_from(text, 8), (Lines{8, 8, 8, 8, 8, 10, 4, 13}));
+    EXPECT_EQ(lines_from(text, 9), (Lines{9, 9, 9, 9, 10, 4, 13}));
+    EXPECT_EQ(lines_from(text, 13), (Lines{13, 13, 13, 13, 13}));
+    EXPECT_EQ(lines_from("F100 G91\no1 call\nM2\no1 sub\nM98 P9\no1 endsub\nO9\nG1 Y4\nM99\n", 5), Lines{8});
+}
+
 }  // namespace
 }  // namespace psicarve::gcode

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <memory>
@@ -57,6 +58,27 @@ TEST_F(Decoding, TellsWhatARunFromALineDoesFirst) {
     const auto seventh = decoded(text, 7);
     EXPECT_FALSE(seventh->approach.is_spindle_on);
     EXPECT_DOUBLE_EQ(seventh->approach.place[index_of(Axis::y)], 14.0);
+}
+
+TEST_F(Decoding, ApproachesNoSubroutineBehindTheLine) {
+    const auto sut = decoded("G91\nG0 Y1\no1 call\nG0 Y2\nM2\no1 sub\nG0 Y4\no1 endsub\n", 4);
+    EXPECT_DOUBLE_EQ(sut->approach.place[index_of(Axis::y)], 5.0);
+}
+
+TEST_F(Decoding, NotesEachLineOnceOfALoopThatIsReadAgain) {
+    std::string text = "G91\no1 repeat [3]\nG0 Y1\n";
+    while (text.size() < 200'000) text += "(" + std::string(90, 'x') + ")\n";
+    text += "G0 Y-1\no1 endrepeat\nM2\nbehind\n";
+    const auto sut = decoded(text);
+    EXPECT_TRUE(sut->is_right());
+    EXPECT_EQ(sut->facts.motion_count, 6U);
+    const auto count = static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
+    EXPECT_EQ(sut->lines.line_count(), count);
+    EXPECT_EQ(sut->facts.line_count, count - 1);
+    EXPECT_EQ(sut->lines.byte_count(), text.size());
+    const auto shown = read_lines(sut->request.path, sut->state, sut->lines, count - 3, 4);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(*shown, (std::vector<std::string>{"G0 Y-1", "o1 endrepeat", "M2", "behind"}));
 }
 
 TEST_F(Decoding, BeginsWhereTheMachineStands) {

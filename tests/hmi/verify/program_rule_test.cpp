@@ -74,6 +74,25 @@ TEST(ProgramRule, RefusesAnAxisThatGoesBesideTheOthers) {
     EXPECT_EQ(verdict(judged(kExact, machine)), "off-the-way 2");
 }
 
+TEST(ProgramRule, RefusesHeadsThatAreNotAtOnePlaceOfTheirWay) {
+    const std::string begin = "G21 G90 G94 F300 G61\nG1 Z40\n";
+    const auto verdict_of = [&](const std::string& program, const std::vector<ProgramPlace>& places) {
+        PlacedMachine machine;
+        machine.to({40, 40, 0, 0});
+        for (const ProgramPlace& place : places) machine.to(place);
+        return verdict(judged(begin + program + "M2\n", machine));
+    };
+    EXPECT_EQ(verdict_of("G1 X20 Z20\n", {{20, 20, 0, 0}}), "ok");
+    EXPECT_EQ(verdict_of("G1 X20 Z20\n", {{40, 20, 0, 0}, {20, 20, 0, 0}}), "heads-apart 3");
+    EXPECT_EQ(verdict_of("G1 X20 Z20\n", {{30, 30, 0, 0}, {29.96, 30, 0, 0}, {20, 20, 0, 0}}),
+              "heads-apart 3");
+    EXPECT_EQ(verdict_of("G1 X39 Z35\n", {{39, 35, 0, 0}}), "ok");
+    EXPECT_EQ(verdict_of("G1 X39 Z35\n", {{39, 40, 0, 0}, {39, 35, 0, 0}}), "heads-apart 3");
+    const std::string blended = "G64 P0.1\nG1 X39 Z35\nG1 X38\n";
+    EXPECT_EQ(verdict_of(blended, {{39.04, 35.12, 0, 0}, {38.95, 35.02, 0, 0}, {38, 35, 0, 0}}), "ok");
+    EXPECT_EQ(verdict_of(blended, {{39.8, 37, 0, 0}, {39, 35, 0, 0}, {38, 35, 0, 0}}), "heads-apart 4");
+}
+
 TEST(ProgramRule, RefusesAPathThatGoesBack) {
     PlacedMachine machine;
     machine.to({39.5, 41, 4.5, 0}).to({39.8, 41, 1.8, 0}).to({39, 41, 9, 0});
@@ -133,6 +152,8 @@ TEST(ProgramRule, CountsWaysOverTheSameLine) {
 
 // The truth is the circle, not the chords that the machine was given.
 TEST(ProgramRule, JudgesArcsAsCircles) {
+    Profile low;
+    low.y.travel_mm[0] = low.y.home_position_mm = -10.0;
     const std::string program = "G21 G90 G94 F300 G64 P0.02\nG17 G3 X40 Y0 I-2 J0\nM2\n";
     const auto circle = [](double radius_mm) {
         return [radius_mm](double share) {
@@ -142,20 +163,22 @@ TEST(ProgramRule, JudgesArcsAsCircles) {
     };
     PlacedMachine round;
     round.along(200, circle(2.0));
-    EXPECT_EQ(verdict(judged(program, round)), "ok");
+    EXPECT_EQ(verdict(judged(program, round, low)), "ok");
     // Chords with a sagitta of 2 mm (1 - cos(pi / 16)) = 0.038 mm.
     PlacedMachine rough;
     rough.along(16, circle(2.0));
-    EXPECT_EQ(verdict(judged(program, rough)), "off-the-way 2");
+    EXPECT_EQ(verdict(judged(program, rough, low)), "off-the-way 2");
     PlacedMachine large;
     large.to({40.03, 41, 0, 0}).along(200, circle(2.03)).to({40, 41, 0, 0});
-    EXPECT_EQ(verdict(judged(program, large)), "off-the-way 2");
+    EXPECT_EQ(verdict(judged(program, large, low)), "off-the-way 2");
     PlacedMachine other_way;
     other_way.along(200, [&](double share) { return circle(2.0)(1.0 - share); });
-    EXPECT_EQ(verdict(judged(program, other_way)).substr(0, 11), "off-the-way");
+    EXPECT_EQ(verdict(judged(program, other_way, low)).substr(0, 11), "off-the-way");
 }
 
 TEST(ProgramRule, FollowsAHelixTurnByTurn) {
+    Profile low;
+    low.y.travel_mm[0] = low.y.home_position_mm = -10.0;
     const std::string program = "G21 G90 G94 F300 G64 P0.02\nG17 G2 X40 Y0 I-1 J0 P3 C54\nM2\n";
     const auto turns = [](int count, double degrees) {
         return [count, degrees](double share) {
@@ -165,10 +188,10 @@ TEST(ProgramRule, FollowsAHelixTurnByTurn) {
     };
     PlacedMachine right;
     right.along(600, turns(3, 54.0));
-    EXPECT_EQ(verdict(judged(program, right)), "ok");
+    EXPECT_EQ(verdict(judged(program, right, low)), "ok");
     PlacedMachine less;
     less.along(600, turns(2, 54.0));
-    EXPECT_EQ(verdict(judged(program, less)), "off-the-way 2");
+    EXPECT_EQ(verdict(judged(program, less, low)), "off-the-way 2");
 }
 
 TEST(ProgramRule, WantsNoWayFasterThanItsFeed) {
@@ -244,6 +267,17 @@ TEST(ProgramRule, SaysWhatIsWrongWithItsProgram) {
     EXPECT_FALSE(report.ok);
     ASSERT_TRUE(report.failure);
     EXPECT_NE(report.failure->message.find("line 3"), std::string::npos) << report.failure->message;
+}
+
+TEST(ProgramRule, ReadsItsProgramFromWhereTheMachineStands) {
+    PlacedMachine machine = exact_machine();
+    const std::string program = "#1=[1/#5420]\n" + std::string{kExact};
+    EXPECT_EQ(verdict(judged(program, machine)), "ok");
+    // Also what it is wrong in behind the trace's end.
+    PlacedMachine less;
+    less.to({39, 41, 9, 0});
+    EXPECT_NE(verdict(judged("G21 G90 G94 G61 F300\nG1 X39 C9\nG1 Y5\nG1 X99\nM2\n", less)).find("line 4"),
+              std::string::npos);
 }
 
 // A turn by the shortest way is one for rapids, and for later places.

@@ -38,7 +38,8 @@ namespace {
 constexpr CommandText kGcodeRunText{
     "run", "Runs a program in G-code on the machine",
     "Uses the core that serves the segment, whose axes must be homed. With --simulate it starts one of its\n"
-    "own on the simulated machine with the virtual clock, homes it, verifies its pins while it runs, and ends\n"
+    "own on the simulated machine with the virtual clock, homes it, verifies its pins while it runs, and "
+    "ends\n"
     "it.\n"
     "A file is checked to its end before anything moves; standard input is run as it comes, from rest to "
     "rest.\n"
@@ -135,18 +136,39 @@ Result<void> require_heads_alike(const Profile& profile, const CoreStatus& statu
         "one radius: psicarve move"};
 }
 
+Error interrupted_before_it_began() {
+    return {ErrorCode::cancelled, "interrupted; nothing has moved"};
+}
+
+/// Judges a program for as long as nobody interrupts it.
+class PatientCheck : public gcode::CanonSink {
+public:
+    PatientCheck(gcode::CanonSink& check, const OperatorBreak& operator_break) noexcept
+        : check_(check), operator_break_(operator_break) {}
+
+    void take(const gcode::CanonRecord& record) override { check_.take(record); }
+    void end_block() override { check_.end_block(); }
+    bool wants_more() const noexcept override { return !operator_break_.was_asked() && check_.wants_more(); }
+
+private:
+    gcode::CanonSink& check_;
+    const OperatorBreak& operator_break_;
+};
+
 /// Reads the whole file before the first pulse. Nothing: it is wrong, and that was told.
 Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
                                                           const gcode::InterpreterOptions& how,
-                                                          const Profile& profile,
-                                                          const CommonOptions& common) {
+                                                          const Profile& profile, const CommonOptions& common,
+                                                          const OperatorBreak& operator_break) {
     gcode::ProblemList problems;
     gcode::MachineCheck machine{profile, problems};
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();
     gcode::LineSource lines{std::move(bytes).value()};
-    const auto facts = gcode::interpret_program(lines, how, machine, problems);
+    PatientCheck check{machine, operator_break};
+    const auto facts = gcode::interpret_program(lines, how, check, problems);
     if (!facts) return facts.error();
+    if (operator_break.was_asked()) return interrupted_before_it_began();
     print_problems(options.path, problems);
     if (problems.error_count() == 0) return std::optional{*facts};
     if (common.json) print_json_line(check_json(options.path, *facts, problems));
@@ -157,7 +179,7 @@ Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions&
 Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBreak& operator_break) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     while (poll(&input, 1, kInputLook_ms) <= 0) {
-        if (operator_break.was_asked()) return Error{ErrorCode::cancelled, "interrupted; nothing has moved"};
+        if (operator_break.was_asked()) return interrupted_before_it_began();
         if (const auto core = link.require_core(); !core) return core;
     }
     return {};
@@ -167,7 +189,7 @@ Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBrea
 Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
                               const OperatorBreak& operator_break) {
     while (feeder.records_written() == 0 && !feeder.is_done()) {
-        if (operator_break.was_asked()) return Error{ErrorCode::cancelled, "interrupted; nothing has moved"};
+        if (operator_break.was_asked()) return interrupted_before_it_began();
         if (const auto core = link.require_core(); !core) return core;
         std::this_thread::sleep_for(kFirstRecordsLook);
     }
@@ -220,7 +242,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     } else {
         const auto state = gcode::state_of_program(options.path);
         if (!state) return state.error();
-        const auto facts = facts_of_right(options, how, profile, common);
+        const auto facts = facts_of_right(options, how, profile, common, operator_break);
         if (!facts) return facts.error();
         if (!*facts) return kExitBadInput;
         line_count = (*facts)->line_count;
@@ -239,6 +261,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (const auto waited = wait_for_records(feeder, link, operator_break); !waited) return waited.error();
     if (feeder.records_written() == 0)
         return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, judge);
+    if (operator_break.was_asked()) return interrupted_before_it_began();
     ProgramWatch watch{link, operator_break, line_count};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();

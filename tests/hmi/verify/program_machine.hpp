@@ -64,7 +64,9 @@ private:
 
 inline JudgedProgram judged_program(const std::string& text, const Profile& profile = {}) {
     JudgedProgram program;
-    program.open = [text] { return Result<gcode::ProgramBytes>{gcode::ProgramBytes{gcode::bytes_of(text), {}}}; };
+    program.open = [text] {
+        return Result<gcode::ProgramBytes>{gcode::ProgramBytes{gcode::bytes_of(text), {}}};
+    };
     program.language.reference = gcode::MachineCheck::reference_of(profile);
     return program;
 }

@@ -39,9 +39,7 @@ namespace {
 constexpr CommandText kGcodeRunText{
     "run", "Runs a program in G-code on the machine",
     "Uses the core that serves the segment, whose axes must be homed. With --simulate it starts one of its\n"
-    "own on the simulated machine with the virtual clock, homes it, verifies its pins while it runs, and "
-    "ends\n"
-    "it.\n"
+    "own on the simulated machine by the virtual clock, homes it, verifies its pins meanwhile, and ends it.\n"
     "A file is checked to its end before anything moves; standard input is run as it comes, from rest to "
     "rest.\n"
     "Ctrl-C stops the machine; twice is an emergency stop. This command feeds the\n"
@@ -102,14 +100,14 @@ Result<void> require_spindle_off(const GcodeRunOptions& options, const CoreStatu
 /// Reads the whole file before the first pulse. Nothing: it is wrong, and that was told.
 Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
                                                           const gcode::InterpreterOptions& how,
-                                                          const Profile& profile,
-                                                          const CommonOptions& common) {
+                                                          const Profile& profile, const CommonOptions& common,
+                                                          const OperatorBreak& operator_break) {
     gcode::ProblemList problems;
     gcode::MachineCheck machine{profile, problems};
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();
     gcode::LineSource lines{std::move(bytes).value()};
-    const auto facts = gcode::interpret_program(lines, how, machine, problems);
+    const auto facts = interpret_patiently(lines, how, machine, problems, operator_break);
     if (!facts) return facts.error();
     print_problems(options.path, problems);
     if (problems.error_count() == 0) return std::optional{*facts};
@@ -121,7 +119,7 @@ Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions&
 Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBreak& operator_break) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     while (poll(&input, 1, kInputLook_ms) <= 0) {
-        if (operator_break.was_asked()) return Error{ErrorCode::cancelled, "interrupted; nothing has moved"};
+        if (operator_break.was_asked()) return interrupted_before_it_began();
         if (const auto core = link.require_core(); !core) return core;
     }
     return {};
@@ -131,7 +129,7 @@ Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBrea
 Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
                               const OperatorBreak& operator_break) {
     while (feeder.records_written() == 0 && !feeder.is_done()) {
-        if (operator_break.was_asked()) return Error{ErrorCode::cancelled, "interrupted; nothing has moved"};
+        if (operator_break.was_asked()) return interrupted_before_it_began();
         if (const auto core = link.require_core(); !core) return core;
         std::this_thread::sleep_for(kFirstRecordsLook);
     }
@@ -182,7 +180,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (options.is_stream()) {
         bytes = gcode::open_stream(STDIN_FILENO);
     } else {
-        const auto facts = facts_of_right(options, how, profile, common);
+        const auto facts = facts_of_right(options, how, profile, common, operator_break);
         if (!facts) return facts.error();
         if (!*facts) return kExitBadInput;
         line_count = (*facts)->line_count;
@@ -204,6 +202,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (const auto waited = wait_for_records(feeder, link, operator_break); !waited) return waited.error();
     if (feeder.records_written() == 0)
         return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, work);
+    if (operator_break.was_asked()) return interrupted_before_it_began();
     ProgramWatch watch{link, operator_break, line_count};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();
@@ -249,11 +248,11 @@ Result<int> with_trace(Result<int> done, const Result<void>& trace) {
 
 /// A trace of old is not lost for a program that is wrong.
 Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions& options,
-                              const Profile& profile) {
+                              const Profile& profile, const OperatorBreak& operator_break) {
     if (options.trace.empty() || options.is_stream()) return true;
     gcode::InterpreterOptions how = language_of(options, profile, CoreStatus{});
     how.start = how.reference;
-    const auto facts = facts_of_right(options, how, profile, common);
+    const auto facts = facts_of_right(options, how, profile, common, operator_break);
     if (!facts) return facts.error();
     return facts->has_value();
 }
@@ -262,14 +261,14 @@ Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions
 Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& options) {
     const auto profile = chosen_profile(common);
     if (!profile) return profile.error();
-    const auto worth = is_worth_a_trace(common, options, *profile);
+    OperatorBreak operator_break;
+    const auto worth = is_worth_a_trace(common, options, *profile, operator_break);
     if (!worth) return worth.error();
     if (!*worth) return kExitBadInput;
     const bool is_there = Segment::attach(common.segment).has_value();
     ProgramCoreLaunch launch{common.segment, common.group, !is_there, options.trace, std::nullopt};
     if (reason_not_to_judge(options).empty())
         launch.program = program_to_judge_by(options, *profile, kNoOverride_percent);
-    OperatorBreak operator_break;
     auto core = ProgramCore::start(std::move(launch), *profile);
     if (!core) return core.error();
     print_note("the machine is simulated");

@@ -12,6 +12,25 @@
 #include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
+namespace {
+
+/// Takes motion for as long as nobody interrupts.
+class PatientSink : public gcode::CanonSink {
+public:
+    PatientSink(gcode::CanonSink& sink, const OperatorBreak& operator_break) noexcept
+        : sink_(sink), operator_break_(operator_break) {}
+
+    void take(const gcode::CanonRecord& record) override { sink_.take(record); }
+    void begin_line(const gcode::ReachedLine& line) override { sink_.begin_line(line); }
+    void end_block() override { sink_.end_block(); }
+    bool wants_more() const noexcept override { return !operator_break_.was_asked() && sink_.wants_more(); }
+
+private:
+    gcode::CanonSink& sink_;
+    const OperatorBreak& operator_break_;
+};
+
+}  // namespace
 
 Result<Profile> profile_of_core(const machine::MachineLink& link, const CommonOptions& common) {
     auto profile = chosen_profile(common);
@@ -46,6 +65,20 @@ Result<void> require_heads_alike(const Profile& profile, const CoreStatus& statu
         ErrorCode::machine_refused,
         "r2 follows r1 (profile: gcode.second_head), and they stand at different radii; bring them to "
         "one radius: psicarve move"};
+}
+
+Error interrupted_before_it_began() {
+    return {ErrorCode::cancelled, "interrupted; nothing has moved"};
+}
+
+Result<gcode::ProgramFacts> interpret_patiently(gcode::LineSource& lines,
+                                                const gcode::InterpreterOptions& how, gcode::CanonSink& sink,
+                                                gcode::ProblemList& problems,
+                                                const OperatorBreak& operator_break) {
+    PatientSink patient{sink, operator_break};
+    auto facts = gcode::interpret_program(lines, how, patient, problems);
+    if (facts && operator_break.was_asked()) return interrupted_before_it_began();
+    return facts;
 }
 
 }  // namespace psicarve::cli

@@ -2,6 +2,12 @@
 #pragma once
 
 #include "hmi/cli/command_set.hpp"
+#include "hmi/cli/operator_break.hpp"
+#include "hmi/gcode/canon.hpp"
+#include "hmi/gcode/interpreter.hpp"
+#include "hmi/gcode/line_source.hpp"
+#include "hmi/gcode/problem.hpp"
+#include "hmi/gcode/program_check.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "shared/base/result.hpp"
 #include "shared/profile/profile.hpp"
@@ -16,5 +22,12 @@ Result<void> require_ready(const CoreStatus& status);
 /// Where one letter moves both heads they must begin alike: the first move would drive R2 where nobody sent
 /// it.
 Result<void> require_heads_alike(const Profile& profile, const CoreStatus& status);
+
+Error interrupted_before_it_began();
+/// Reads a program for as long as nobody interrupts it; then that is the error.
+Result<gcode::ProgramFacts> interpret_patiently(gcode::LineSource& lines,
+                                                const gcode::InterpreterOptions& how, gcode::CanonSink& sink,
+                                                gcode::ProblemList& problems,
+                                                const OperatorBreak& operator_break);
 
 }  // namespace psicarve::cli

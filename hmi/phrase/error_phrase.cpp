@@ -30,6 +30,8 @@ std::vector<Sentence> of_a_file() {
     return {
         blank_too_large(),
         {"no such file", phrase("no such file")},
+        {"has been changed since it was read; decode it again",
+         phrase("has been changed since it was read; decode it again")},
         {"cannot be opened: %1", phrase("cannot be opened: %1")},
         {"cannot be read: %1", phrase("cannot be read: %1")},
         {"cannot be written", phrase("cannot be written")},
@@ -173,6 +175,7 @@ std::vector<Sentence> of_a_line() {
 std::vector<Sentence> of_a_job() {
     return {
         blank_too_large(),
+        {"interrupted; nothing has moved", phrase("interrupted; nothing has moved")},
         {"slicing was cancelled", phrase("slicing was cancelled")},
         {"publishing was cancelled", phrase("publishing was cancelled")},
         {"looking for the best axis was cancelled", phrase("looking for the best axis was cancelled")},

@@ -102,10 +102,13 @@ void PathSketch::thin() {
 }
 
 std::size_t piece_of_line(const std::vector<SketchPoint>& points, std::uint64_t line) noexcept {
+    std::size_t found = 0;
     for (std::size_t i = 1; line != 0 && i < points.size(); ++i) {
-        if (points[i].first_line <= line && line <= points[i].last_line) return i;
+        if (points[i].first_line > line || line > points[i].last_line) continue;
+        if (found != 0) return 0;
+        found = i;
     }
-    return 0;
+    return found;
 }
 
 }  // namespace psicarve::program

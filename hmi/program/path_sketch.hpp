@@ -49,7 +49,8 @@ private:
     double tolerance_mm_ = 0.0;
 };
 
-/// The piece that stands for a line's move, from 1; 0: none does.
+/// The piece that stands for a line's move, from 1; 0: none does, or several: which of them runs nobody
+/// knows.
 std::size_t piece_of_line(const std::vector<SketchPoint>& points, std::uint64_t line) noexcept;
 
 }  // namespace psicarve::program

@@ -42,6 +42,7 @@ void ProgramDesk::begin_decode(const session::MachineView& machine, const Profil
 }
 
 void ProgramDesk::cancel() {
+    asks_for_start = false;
     decoder_.cancel();
 }
 
@@ -57,6 +58,7 @@ void ProgramDesk::poll(const ProgramReport& report) {
         } else if (read->error().code != ErrorCode::cancelled) {
             program_.reset();
             text_.show(nullptr);
+            asks_for_start = false;
             problem_ = session::error_phrase(read->error());
             log_.add(Severity::warning,
                      session::joined(phrase("Not opened: %1", name_of_file(path_)), problem_));
@@ -93,16 +95,28 @@ RunRequest ProgramDesk::request() const {
 }
 
 void ProgramDesk::start(const session::MachineView& machine) {
+    if (is_under_way()) return;
     RunRequest wanted = request();
+    wanted.state = program_->state;
     wanted.file = std::filesystem::absolute(path_).string();
     wanted.switches = switches;
     forget_last_run();
     is_block_ = false;
+    started_ = {program_->request.path, program_->state, switches};
     log_.add_command(Severity::info, phrase("Program started: %1", name_of_file(path_)));
     process_.begin(std::move(wanted), *machine.profile);
 }
 
+void ProgramDesk::give_up(const ProgramReport& report) {
+    if (is_on_its_way(report)) process_.give_up();
+}
+
+std::string ProgramDesk::started_name() const {
+    return name_of_file(started_.path);
+}
+
 void ProgramDesk::run_block(const std::string& block, const session::MachineView& machine) {
+    if (is_under_way()) return;
     if (blocks_.empty() || blocks_.back() != block) blocks_.push_back(block);
     if (blocks_.size() > kMostBlocks) blocks_.pop_front();
     forget_last_run();

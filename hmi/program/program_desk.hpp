@@ -41,6 +41,7 @@ public:
     /// Null: none was read.
     const DecodedPointer& program() const noexcept { return program_; }
     TextWindow& text() noexcept { return text_; }
+    const TextWindow& text() const noexcept { return text_; }
     /// Why the file could not be read; empty: it could.
     const session::Phrase& problem() const noexcept { return problem_; }
     /// Grows with every change of the program and its runs; with other lines that are read.
@@ -52,14 +53,33 @@ public:
     std::string typed;            ///< a block that was not asked for yet
     std::uint8_t plane = 0;       ///< of the path that is shown
 
-    /// Requires that start_lock() has nothing against it.
+    /// Requires that start_lock() has nothing against it. Where one is under way nothing happens.
     void start(const session::MachineView& machine);
+    /// Ends what is under way as long as the core does not run it.
+    void give_up(const ProgramReport& report);
+    /// The command was started and has not ended.
+    bool has_process() const noexcept { return process_.pid() != 0; }
+    /// Under way, and the core does not run it yet, or no more.
+    bool is_on_its_way(const ProgramReport& report) const noexcept {
+        return is_under_way() && !(report.status.is_running != 0 && report.writer_pid == process_.pid());
+    }
     /// Starts a program of this block alone. Requires that machine_lock() has nothing against it.
     void run_block(const std::string& block, const session::MachineView& machine);
     bool is_under_way() const noexcept { return process_.state() != ProgramProcess::State::none; }
     /// The program that runs, or ran last, is the file that was started here.
     bool is_ours(const ProgramStatus& status) const noexcept {
         return status.program != 0 && status.program == own_program_ && !is_block_;
+    }
+    /// The same, and it is the text that is shown.
+    bool is_shown(const ProgramStatus& status) const noexcept {
+        return is_ours(status) && program_ && program_->state == started_.state &&
+               program_->request.path == started_.path;
+    }
+    /// Name of the file that was started last.
+    std::string started_name() const;
+    /// What the program that is under way was started with, else those of the next start.
+    const RunSwitches& shown_switches() const noexcept {
+        return is_under_way() && !is_block_ ? started_.switches : switches;
     }
     bool is_block() const noexcept { return is_block_; }
     /// How the last one ended; nothing: none has, or another was started since.
@@ -73,6 +93,13 @@ private:
     void forget_last_run();
     RunRequest request() const;
 
+    /// The file that was started last.
+    struct Started {
+        std::string path;
+        gcode::FileState state;
+        RunSwitches switches;
+    };
+
     session::MessageLog& log_;
     std::string segment_name_;
     std::string group_;
@@ -84,6 +111,7 @@ private:
     std::uint64_t edition_ = 0;
     std::uint64_t text_edition_ = 0;
     ProgramProcess process_;
+    Started started_;
     std::uint64_t own_program_ = 0;  ///< number of what was started last; 0: it has none yet
     bool is_block_ = false;          ///< what was started last is a typed block
     std::optional<ProgramProcess::Ended> ended_;

@@ -69,12 +69,25 @@ std::optional<Phrase> start_lock(const StartGround& ground, const Decoded* progr
         return phrase("Start: errors in the program: %1", std::to_string(program->problems.error_count()));
     if (switches.from_line > program->facts.line_count)
         return phrase("Start: the program ends in line %1", std::to_string(program->facts.line_count));
+    if (ground.is_file_changed)
+        return phrase("Start: the file has been changed since it was read; decode it again");
     if (Lock lock = machine_lock(ground)) return lock;
     if (profile_hash(program->request.profile) != profile_hash(*ground.machine.profile))
         return phrase("Start: it was judged for another profile; decode it again");
+    if (program->request.skips_deleted != switches.skips_deleted)
+        return phrase("Start: it was read with another block delete; decode it again");
     if (switches.is_dry && ground.machine.is_active(Signal::spindle))
         return phrase("Start: a dry run switches nothing; switch the spindle off first");
     return std::nullopt;
+}
+
+bool is_read_as_it_is(const Decoded& program, const session::MachineView& machine,
+                      const RunSwitches& switches) {
+    const DecodeRequest& request = program.request;
+    // Both are made of pulses in the same way.
+    return machine.profile && profile_hash(request.profile) == profile_hash(*machine.profile) &&
+           request.start == known_place(machine) && request.skips_deleted == switches.skips_deleted &&
+           request.from_line == switches.from_line;
 }
 
 std::optional<Phrase> hold_advice(ProgramHold hold) {

@@ -2,10 +2,12 @@
 #include "hmi/program/program_process.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -27,6 +29,10 @@ namespace {
 constexpr const char* kRunner = "psicarve";
 constexpr std::size_t kLinesTold = 6;
 constexpr std::size_t kBytesTold = 8192;
+constexpr std::size_t kLogsKept = 20;
+/// Of all windows of this process: no two of its programs share a file.
+std::atomic<std::uint64_t> g_start_count{0};
+constexpr std::string_view kLogEnding = ".run.log";
 
 std::string tail_of(const std::string& path) {
     std::ifstream file{path, std::ios::binary | std::ios::ate};
@@ -38,11 +44,51 @@ std::string tail_of(const std::string& path) {
     return text.str();
 }
 
+/// All but the newest. What cannot be removed stays.
+void remove_old_logs(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    std::vector<std::pair<fs::file_time_type, fs::path>> logs;
+    for (fs::directory_iterator at{folder, error}; !error && at != fs::directory_iterator{};
+         at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        std::error_code unknown;
+        const auto written = at->last_write_time(unknown);
+        if (!unknown && name.size() > kLogEnding.size() && name.ends_with(kLogEnding))
+            logs.emplace_back(written, at->path());
+    }
+    std::sort(logs.begin(), logs.end());
+    for (std::size_t i = 0; i + kLogsKept < logs.size(); ++i) {
+        std::string path = logs[i].second.string();
+        fs::remove(path, error);
+        path.resize(path.size() - kLogEnding.size());
+        // Of a window that was closed before its program ended.
+        for (const char* ending : {".toml", ".ngc"}) fs::remove(path + ending, error);
+    }
+}
+
+void remove_used(const RunFiles& files) {
+    std::error_code error;
+    for (const std::string& path : {files.profile(), files.block()}) std::filesystem::remove(path, error);
+}
+
 Result<void> make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (!error) return {};
+    if (!error) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+    if (!error) {
+        remove_old_logs(folder);
+        return {};
+    }
     return Error{ErrorCode::out_of_room, folder + ": cannot be made: " + error.message()};
+}
+
+Error changed_since(const std::string& path) {
+    return bad_input(path + ": has been changed since it was read; decode it again");
+}
+
+Error given_up() {
+    return {ErrorCode::cancelled, "interrupted; nothing has moved"};
 }
 
 ProgramProcess::Ended refusal(const Error& why) {
@@ -69,8 +115,8 @@ std::string last_said(const std::string& text) {
     return line.rfind(kName, 0) == 0 ? line.substr(kName.size()) : line;
 }
 
-ProgramProcess::Begun ProgramProcess::start(const RunFiles& files, RunRequest request,
-                                            const Profile& profile) {
+ProgramProcess::Begun ProgramProcess::start(const RunFiles& files, RunRequest request, const Profile& profile,
+                                            const DecodeProgress& progress) {
     const auto program = machine::find_program(kRunner);
     if (!program) {
         return {std::nullopt, refusal({ErrorCode::no_core, std::string{kRunner} +
@@ -82,10 +128,16 @@ ProgramProcess::Begun ProgramProcess::start(const RunFiles& files, RunRequest re
     const auto written = write_file_atomically(files.profile(), std::as_bytes(std::span{toml}));
     if (!written) return {std::nullopt, refusal(written.error())};
     request.profile_path = files.profile();
+    if (request.state) {
+        const auto now = gcode::state_of_program(request.file);
+        if (!now) return {std::nullopt, refusal(now.error())};
+        if (*now != *request.state) return {std::nullopt, refusal(changed_since(request.file))};
+    }
     const machine::UniqueFd log{
-        open(files.log().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600)};
+        open(files.log().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0600)};
     if (log.get() < 0)
         return {std::nullopt, refusal({ErrorCode::out_of_room, files.log() + ": " + std::strerror(errno)})};
+    if (progress.is_cancelled.load()) return {std::nullopt, refusal(given_up())};
     const auto started = machine::start_child({.arguments = arguments_of(*program, request),
                                                .output = log.get(),
                                                .errors = log.get(),
@@ -94,29 +146,56 @@ ProgramProcess::Begun ProgramProcess::start(const RunFiles& files, RunRequest re
     return {*started, {}};
 }
 
-void ProgramProcess::begin(RunRequest request, const Profile& profile) {
+void ProgramProcess::note_start() {
     state_ = State::starting;
-    starting_.begin(
-        [files = files_, request = std::move(request), profile] { return start(files, request, profile); });
+    files_.name = name_ + "-" + std::to_string(++g_start_count);
+    progress_ = std::make_shared<DecodeProgress>();
+    is_interrupted_ = false;
+}
+
+void ProgramProcess::begin(RunRequest request, const Profile& profile) {
+    if (state_ != State::none) return;
+    note_start();
+    starting_.begin([files = files_, request = std::move(request), profile, progress = progress_] {
+        return start(files, request, profile, *progress);
+    });
 }
 
 void ProgramProcess::begin_block(const std::string& block, RunRequest request,
                                  const DecodeRequest& judged_by) {
-    state_ = State::starting;
+    if (state_ != State::none) return;
+    note_start();
     request.file = files_.block();
-    starting_.begin([files = files_, block, request = std::move(request), judged_by]() -> Begun {
-        if (const auto made = make_folder(files.folder); !made) return {std::nullopt, refusal(made.error())};
-        const std::string text = block + "\nM2\n";
-        const auto written = write_file_atomically(files.block(), std::as_bytes(std::span{text}));
-        if (!written) return {std::nullopt, refusal(written.error())};
-        DecodeRequest judged = judged_by;
-        judged.path = files.block();
-        DecodeProgress progress;
-        const auto decoded = decode(judged, progress);
-        if (!decoded) return {std::nullopt, refusal(decoded.error())};
-        if (!(*decoded)->is_right()) return {std::nullopt, {false, {}, {}, (*decoded)->problems}};
-        return start(files, request, judged.profile);
-    });
+    starting_.begin(
+        [files = files_, block, request = std::move(request), judged_by, progress = progress_]() -> Begun {
+            if (const auto made = make_folder(files.folder); !made)
+                return {std::nullopt, refusal(made.error())};
+            const std::string text = block + "\nM2\n";
+            const auto written = write_file_atomically(files.block(), std::as_bytes(std::span{text}));
+            if (!written) return {std::nullopt, refusal(written.error())};
+            DecodeRequest judged = judged_by;
+            judged.path = files.block();
+            const auto decoded = decode(judged, *progress);
+            if (progress->is_cancelled.load()) return {std::nullopt, refusal(given_up())};
+            if (!decoded) return {std::nullopt, refusal(decoded.error())};
+            if (!(*decoded)->is_right()) return {std::nullopt, {false, {}, {}, (*decoded)->problems}};
+            RunRequest checked = request;
+            checked.state = (*decoded)->state;
+            return start(files, std::move(checked), judged.profile, *progress);
+        });
+}
+
+void ProgramProcess::give_up() noexcept {
+    if (progress_) progress_->is_cancelled.store(true);
+    interrupt_once();
+}
+
+/// A second time would be an emergency stop. Of a process that was not waited for the number is still its
+/// own.
+void ProgramProcess::interrupt_once() noexcept {
+    if (!pid_ || is_interrupted_) return;
+    is_interrupted_ = true;
+    (void)::kill(*pid_, SIGINT);
 }
 
 std::optional<ProgramProcess::Ended> ProgramProcess::poll() {
@@ -127,6 +206,7 @@ std::optional<ProgramProcess::Ended> ProgramProcess::poll() {
         }
         pid_ = begun->pid;
         state_ = State::running;
+        if (progress_->is_cancelled.load()) interrupt_once();
     }
     if (pid_ && !exit_code_) {
         int status = 0;
@@ -134,13 +214,18 @@ std::optional<ProgramProcess::Ended> ProgramProcess::poll() {
         if (ended == 0) return std::nullopt;
         exit_code_ = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
         pid_.reset();
-        reading_.begin([path = files_.log()] { return tail_of(path); });
+        reading_.begin([files = files_] {
+            remove_used(files);
+            return tail_of(files.log());
+        });
     }
     const auto said = reading_.take();
     if (!said) return std::nullopt;
     const bool is_done = *exit_code_ == 0;
     exit_code_.reset();
     state_ = State::none;
+    // It was interrupted before it could say so.
+    if (is_interrupted_ && said->empty()) return refusal(given_up());
     return Ended{is_done, last_said(*said), last_lines(*said, kLinesTold), {}};
 }
 

@@ -39,16 +39,19 @@ public:
         gcode::ProblemList problems;  ///< of a typed block that was never started
     };
 
-    explicit ProgramProcess(RunFiles files) : files_(std::move(files)) {}
+    explicit ProgramProcess(RunFiles files) : name_(files.name), files_(std::move(files)) {}
     /// What runs goes on.
     ~ProgramProcess() = default;
     ProgramProcess(const ProgramProcess&) = delete;
     ProgramProcess& operator=(const ProgramProcess&) = delete;
 
-    /// Requires that none is there. `request.profile_path` is filled in here.
+    /// Where one is there already nothing happens. `request.profile_path` is filled in here. A file that is
+    /// no longer in `request.state` is not run.
     void begin(RunRequest request, const Profile& profile);
     /// The same for a program of this block alone and an end, once it is judged.
     void begin_block(const std::string& block, RunRequest request, const DecodeRequest& judged_by);
+    /// What is on its way to the machine is not run. Once the core runs it, it is the core's to stop.
+    void give_up() noexcept;
     State state() const noexcept { return state_; }
     /// Its number, as whoever has the program's claim has it; 0: none.
     std::uint32_t pid() const noexcept { return pid_ ? static_cast<std::uint32_t>(*pid_) : 0; }
@@ -60,10 +63,17 @@ private:
         std::optional<pid_t> pid;
         Ended refused;
     };
-    static Begun start(const RunFiles& files, RunRequest request, const Profile& profile);
+    static Begun start(const RunFiles& files, RunRequest request, const Profile& profile,
+                       const DecodeProgress& progress);
+    /// What holds for each new one.
+    void note_start();
+    void interrupt_once() noexcept;
 
-    RunFiles files_;
+    std::string name_;
+    RunFiles files_;  ///< of the last one
     State state_ = State::none;
+    std::shared_ptr<DecodeProgress> progress_;  ///< of the start; cancelled: it is given up
+    bool is_interrupted_ = false;
     std::optional<pid_t> pid_;
     machine::LooseWork<Begun> starting_;
     machine::LooseWork<std::string> reading_;

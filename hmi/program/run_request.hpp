@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "hmi/gcode/line_source.hpp"
 
 namespace psicarve::program {
 
@@ -14,6 +17,7 @@ struct RunSwitches {
     bool skips_deleted = false;      ///< leaves out blocks that begin with /
     bool is_dry = false;             ///< spindle off, heads outside the blank
     std::uint32_t from_line = 1;
+    bool operator==(const RunSwitches&) const = default;
 };
 
 /// By its name: *.ngc, *.nc, *.gcode, *.tap, *.cnc.
@@ -26,6 +30,8 @@ struct RunRequest {
     std::string segment_name;
     std::string group;         ///< empty: none
     std::string profile_path;  ///< of the core's profile
+    std::optional<gcode::FileState> state =
+        {};  ///< that it was judged in; nothing: whoever runs it judges it
 };
 
 /// What `psicarve` is started with, its own path first.

@@ -92,6 +92,10 @@
             <translation>%1 вкл.</translation>
         </message>
         <message>
+            <source>%1 ended: %2</source>
+            <translation>%1: программа закончилась: %2</translation>
+        </message>
+        <message>
             <source>%1 entries</source>
             <translation>записей: %1</translation>
         </message>
@@ -198,6 +202,10 @@
         <message>
             <source>%1 is odd, so half a revolution is no whole number of pulses; give an even number</source>
             <translation>%1 нечётно, и пол-оборота не целое число импульсов; задайте чётное число</translation>
+        </message>
+        <message>
+            <source>%1 is run.</source>
+            <translation>%1: программа выполнена.</translation>
         </message>
         <message>
             <source>%1 layers</source>
@@ -390,6 +398,10 @@
         <message>
             <source>%1 roughing, finishing</source>
             <translation>черновых: %1, чистовой</translation>
+        </message>
+        <message>
+            <source>%1 runs. %2</source>
+            <translation>Идёт %1. %2</translation>
         </message>
         <message>
             <source>%1 since layer %2, when this window came</source>
@@ -4129,6 +4141,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск: проверена по другому профилю; разберите её снова</translation>
         </message>
         <message>
+            <source>Start: it was read with another block delete; decode it again</source>
+            <translation>Пуск: прочитана с другим пропуском кадров; разберите её снова</translation>
+        </message>
+        <message>
             <source>Start: no job is published</source>
             <translation>Пуск: задание не передано</translation>
         </message>
@@ -4171,6 +4187,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Start: the drives are off; home all axes</source>
             <translation>Пуск: приводы отключены; найдите нуль всех осей</translation>
+        </message>
+        <message>
+            <source>Start: the file has been changed since it was read; decode it again</source>
+            <translation>Пуск: файл изменён после чтения; разберите его снова</translation>
         </message>
         <message>
             <source>Start: the heads are on their way</source>
@@ -4399,6 +4419,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The blank, the passes' depths and the tool, to scale</source>
             <translation>Заготовка, глубины проходов и инструмент в масштабе</translation>
+        </message>
+        <message>
+            <source>The block has %1 bytes; a line has %2 at most.</source>
+            <translation>В кадре %1 байт; в строке не больше %2.</translation>
         </message>
         <message>
             <source>The block is run.</source>
@@ -4745,16 +4769,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Профиль ещё сохраняется. Потерять то, что ещё не сохранено?</translation>
         </message>
         <message>
-            <source>The program ended: %1</source>
-            <translation>Программа закончилась: %1</translation>
-        </message>
-        <message>
             <source>The program is on its way to the machine.</source>
             <translation>Программа на пути к станку.</translation>
-        </message>
-        <message>
-            <source>The program is run.</source>
-            <translation>Программа выполнена.</translation>
         </message>
         <message>
             <source>The program runs. %1</source>
@@ -4793,6 +4809,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Шпиндель выключен. Ни одна ось не двигалась, а приводы без линии включения остаются под током.</translation>
         </message>
         <message>
+            <source>The spindle is on and stays on.</source>
+            <translation>Шпиндель включён и остаётся включённым.</translation>
+        </message>
+        <message>
             <source>The spindle stays off until the program turns it on.</source>
             <translation>Шпиндель выключен, пока программа его не включит.</translation>
         </message>
@@ -4807,6 +4827,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The table keeps turning, runs to and fro, or the heads rise as it turns, without links; a job carries its own.</source>
             <translation>Стол вращается дальше, ходит туда и обратно, или головки поднимаются по ходу вращения без переходов; у задания это своё.</translation>
+        </message>
+        <message>
+            <source>The text has more than one line; only one block is run.</source>
+            <translation>В тексте больше одной строки; выполняется только один кадр.</translation>
         </message>
         <message>
             <source>The tool alone: no blank is chosen</source>
@@ -6147,6 +6171,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>потерян сторож</translation>
         </message>
         <message>
+            <source>has been changed since it was read; decode it again</source>
+            <translation>изменён после чтения; разберите его снова</translation>
+        </message>
+        <message>
             <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
             <translation>нет замкнутого контура; самая длинная линия от %1 до %2 mm, разрыв %3; замкните её в графической программе</translation>
         </message>
@@ -6257,6 +6285,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>install a real-time kernel: apt install linux-image-rt-amd64</source>
             <translation>установите ядро реального времени: apt install linux-image-rt-amd64</translation>
+        </message>
+        <message>
+            <source>interrupted; nothing has moved</source>
+            <translation>прервано; ничего не сдвинулось</translation>
         </message>
         <message>
             <source>is a folder, not a model file</source>
@@ -7965,6 +7997,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Ψ turns to %1°, all turns.</source>
             <translation>Ψ поворачивается на %1°, все обороты.</translation>
+        </message>
+        <message>
+            <source>Ψ turns.</source>
+            <translation>Ψ поворачивается.</translation>
         </message>
         <message>
             <source>← →  Ψ

@@ -92,6 +92,10 @@
             <translation>%1 使能</translation>
         </message>
         <message>
+            <source>%1 ended: %2</source>
+            <translation>%1 结束：%2</translation>
+        </message>
+        <message>
             <source>%1 entries</source>
             <translation>%1 条记录</translation>
         </message>
@@ -198,6 +202,10 @@
         <message>
             <source>%1 is odd, so half a revolution is no whole number of pulses; give an even number</source>
             <translation>%1 是奇数，半转就不是整数个脉冲；请输入偶数</translation>
+        </message>
+        <message>
+            <source>%1 is run.</source>
+            <translation>%1 已运行完毕。</translation>
         </message>
         <message>
             <source>%1 layers</source>
@@ -390,6 +398,10 @@
         <message>
             <source>%1 roughing, finishing</source>
             <translation>粗加工 %1 遍，精加工</translation>
+        </message>
+        <message>
+            <source>%1 runs. %2</source>
+            <translation>%1 正在运行。%2</translation>
         </message>
         <message>
             <source>%1 since layer %2, when this window came</source>
@@ -4124,6 +4136,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动：它是按另一配置检查的；请重新解析</translation>
         </message>
         <message>
+            <source>Start: it was read with another block delete; decode it again</source>
+            <translation>启动：读取时“跳过程序段”设置不同；请重新解析</translation>
+        </message>
+        <message>
             <source>Start: no job is published</source>
             <translation>启动：没有已发布的作业</translation>
         </message>
@@ -4166,6 +4182,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Start: the drives are off; home all axes</source>
             <translation>启动：驱动已关闭；请全部回零</translation>
+        </message>
+        <message>
+            <source>Start: the file has been changed since it was read; decode it again</source>
+            <translation>启动：文件在读取后已更改；请重新解析</translation>
         </message>
         <message>
             <source>Start: the heads are on their way</source>
@@ -4394,6 +4414,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The blank, the passes' depths and the tool, to scale</source>
             <translation>毛坯、各道深度和刀具（按比例）</translation>
+        </message>
+        <message>
+            <source>The block has %1 bytes; a line has %2 at most.</source>
+            <translation>程序段有 %1 个字节；一行最多 %2 个。</translation>
         </message>
         <message>
             <source>The block is run.</source>
@@ -4740,16 +4764,8 @@ N、Shift+N  下一条、上一条记录
             <translation>配置仍在保存。要放弃尚未保存的内容吗？</translation>
         </message>
         <message>
-            <source>The program ended: %1</source>
-            <translation>程序结束：%1</translation>
-        </message>
-        <message>
             <source>The program is on its way to the machine.</source>
             <translation>程序正在送往机床。</translation>
-        </message>
-        <message>
-            <source>The program is run.</source>
-            <translation>程序已运行完毕。</translation>
         </message>
         <message>
             <source>The program runs. %1</source>
@@ -4788,6 +4804,10 @@ N、Shift+N  下一条、上一条记录
             <translation>主轴已关闭。没有轴移动，没有使能线的驱动保持通电。</translation>
         </message>
         <message>
+            <source>The spindle is on and stays on.</source>
+            <translation>主轴已打开并保持打开。</translation>
+        </message>
+        <message>
             <source>The spindle stays off until the program turns it on.</source>
             <translation>主轴保持关闭，直到程序打开它。</translation>
         </message>
@@ -4802,6 +4822,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The table keeps turning, runs to and fro, or the heads rise as it turns, without links; a job carries its own.</source>
             <translation>转台持续转动、往复转动，或刀头随转动上升而无层间连接；作业自带此设置。</translation>
+        </message>
+        <message>
+            <source>The text has more than one line; only one block is run.</source>
+            <translation>文本多于一行；只运行一个程序段。</translation>
         </message>
         <message>
             <source>The tool alone: no blank is chosen</source>
@@ -6140,6 +6164,10 @@ N、Shift+N  下一条、上一条记录
             <translation>守护丢失</translation>
         </message>
         <message>
+            <source>has been changed since it was read; decode it again</source>
+            <translation>读取后已更改；请重新解析</translation>
+        </message>
+        <message>
             <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
             <translation>没有闭合轮廓；最长的线从 %1 到 %2 mm，相距 %3；请在绘图软件中闭合</translation>
         </message>
@@ -6250,6 +6278,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>install a real-time kernel: apt install linux-image-rt-amd64</source>
             <translation>安装实时内核：apt install linux-image-rt-amd64</translation>
+        </message>
+        <message>
+            <source>interrupted; nothing has moved</source>
+            <translation>已中断；没有任何移动</translation>
         </message>
         <message>
             <source>is a folder, not a model file</source>
@@ -7958,6 +7990,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Ψ turns to %1°, all turns.</source>
             <translation>Ψ 转到 %1°，含全部圈数。</translation>
+        </message>
+        <message>
+            <source>Ψ turns.</source>
+            <translation>Ψ 转动。</translation>
         </message>
         <message>
             <source>← →  Ψ

@@ -25,6 +25,8 @@ public:
     ActionButton(session::Action action, const QString& text, std::function<void()> act,
                  QWidget* parent = nullptr);
 
+    /// It only ends motion: it may be pressed by a key.
+    void let_keys_press() noexcept { may_move_ = false; }
     void set_glyph(Glyph glyph, const Tokens& tokens, bool on_fill = false);
     /// Locks or unlocks it. Why it is locked, in the operator's language; else empty.
     const QString& refresh(const WindowContext& context);

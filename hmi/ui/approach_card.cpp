@@ -31,8 +31,7 @@ ApproachCard::ApproachCard(WindowContext& context, QWidget* parent)
       context_(context),
       title_(role_label("title")),
       told_(plain_label()),
-      confirm_(new ActionButton{program_start_lock, tr("Confirm and start"),
-                                [this] { context_.program.start(context_.machine.view()); }}) {
+      confirm_(new ActionButton{program_start_lock, tr("Confirm and start"), [this] { start(); }}) {
     setObjectName("approach_card");
     setProperty("notice", true);
     title_->setObjectName("approach_title");
@@ -60,15 +59,32 @@ ApproachCard::ApproachCard(WindowContext& context, QWidget* parent)
     hide();
 }
 
+/// What was told must still hold.
+void ApproachCard::start() {
+    program::ProgramDesk& desk = context_.program;
+    const bool is_true = desk.program() && !desk.is_reading() &&
+                         is_read_as_it_is(*desk.program(), context_.machine.view(), desk.switches);
+    if (is_true && !program_start_lock(context_)) desk.start(context_.machine.view());
+    refresh();
+}
+
 QString ApproachCard::told(const program::Decoded& program) const {
     const program::Approach& approach = program.approach;
     const bool is_dry = context_.program.switches.is_dry;
     QStringList steps;
-    if (!approach.is_needed()) steps += tr("Nothing before this line moves anything.");
-    if (approach.is_spindle_on && !is_dry) steps += tr("The spindle goes on.");
-    if (approach.placed != 0) {
+    const bool is_spindle_on = context_.machine.view().is_active(Signal::spindle);
+    if (!approach.is_needed() && !is_dry) steps += tr("Nothing before this line moves anything.");
+    if (is_spindle_on) {
+        steps += tr("The spindle is on and stays on.");
+    } else if (approach.is_spindle_on && !is_dry) {
+        steps += tr("The spindle goes on.");
+    }
+    if (approach.placed != 0 || is_dry) {
         steps += tr("Both heads go out to the end of their travel.");
-        if (is_brought(approach, Axis::psi))
+        // How far depends on where it comes from.
+        if (is_brought(approach, Axis::psi) && program.request.profile.gcode.turns_shortest)
+            steps += tr("Ψ turns.");
+        else if (is_brought(approach, Axis::psi))
             steps += tr("Ψ turns to %1°, all turns.").arg(number_of_place(approach, Axis::psi));
         if (is_brought(approach, Axis::y))
             steps += tr("Y goes to %1 mm.").arg(number_of_place(approach, Axis::y));
@@ -81,7 +97,7 @@ QString ApproachCard::told(const program::Decoded& program) const {
         if (!heads.isEmpty() && !is_dry) steps += tr("The heads come in: %1.").arg(heads.join(", "));
         if (is_dry) steps += tr("The heads stay out (dry run).");
     }
-    if (!approach.is_spindle_on || is_dry)
+    if (!is_spindle_on && (!approach.is_spindle_on || is_dry))
         steps += tr("The spindle stays off until the program turns it on.");
     return steps.join('\n');
 }
@@ -89,8 +105,14 @@ QString ApproachCard::told(const program::Decoded& program) const {
 void ApproachCard::refresh() {
     program::ProgramDesk& desk = context_.program;
     const auto& read = desk.program();
-    const bool is_of_line = read && read->request.from_line == desk.switches.from_line && !desk.is_reading();
-    const bool is_shown = desk.asks_for_start && is_of_line && read->is_right();
+    const bool is_there = desk.asks_for_start && read && !desk.is_reading();
+    const bool is_true = is_there && is_read_as_it_is(*read, context_.machine.view(), desk.switches);
+    if (is_there && !is_true && !program::machine_lock(program_ground(context_))) {
+        desk.decode_again(context_.machine.view(), context_.machine_profile());
+    } else if (is_true && !read->is_right()) {
+        desk.asks_for_start = false;
+    }
+    const bool is_shown = desk.asks_for_start && is_true && !desk.is_reading();
     if (is_shown) {
         title_->setText(tr("Run from line %1: first the machine does this").arg(desk.switches.from_line));
         const QString text = told(*read);

@@ -22,6 +22,7 @@ public:
     void refresh();
 
 private:
+    void start();
     QString told(const program::Decoded& program) const;
 
     WindowContext& context_;

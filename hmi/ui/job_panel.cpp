@@ -59,6 +59,10 @@ void JobPanel::make_jobs() {
     body().addWidget(jobs_);
 }
 
+void JobPanel::let_keys_start(bool may_start) {
+    start_->setShortcut(may_start ? QKeySequence{Qt::CTRL | Qt::Key_Return} : QKeySequence{});
+}
+
 void JobPanel::make_buttons() {
     const MotionButtons motion = make_motion_buttons(context_);
     start_ = motion.start;
@@ -67,7 +71,6 @@ void JobPanel::make_buttons() {
     stop_ = motion.stop;
     start_->setProperty("main", true);
     start_->setObjectName("start");
-    start_->setShortcut(Qt::CTRL | Qt::Key_Return);
     dry_run_ = new TickBox{tr("Dry run")};
     dry_run_->setObjectName("dry_run");
     dry_run_->setFocusPolicy(Qt::TabFocus);

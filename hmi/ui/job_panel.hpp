@@ -27,6 +27,8 @@ public:
     void set_theme(const Tokens& tokens);
     void refresh();
     void set_room(Room room);
+    /// Ctrl+Enter starts the job.
+    void let_keys_start(bool may_start);
     /// By so many per cent of the planned feed; 0: back to 100 %. Nothing while the override is locked.
     void change_override(int percent);
 

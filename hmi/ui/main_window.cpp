@@ -35,6 +35,7 @@
 #include "hmi/ui/ports_page.hpp"
 #include "hmi/ui/position_panel.hpp"
 #include "hmi/ui/profile_page.hpp"
+#include "hmi/ui/program_ground.hpp"
 #include "hmi/ui/program_page.hpp"
 #include "hmi/ui/refusal_bar.hpp"
 #include "hmi/ui/replay_bar.hpp"
@@ -127,6 +128,10 @@ void MainWindow::build(Begin begin) {
     make_status_bar();
     all->addWidget(status_row_);
     setCentralWidget(whole);
+    // There it would be taken for the program's.
+    const auto let_keys_start = [this] { job_->let_keys_start(!pages_->is_current(pages_->program())); };
+    connect(pages_, &QTabWidget::currentChanged, this, let_keys_start);
+    let_keys_start();
     if (begin == Begin::with_work_that_comes) pages_->model().await_work();
     show_theme();
     pages_->tabBar()->setFocus();  // not on anything that moves the machine
@@ -226,19 +231,20 @@ void MainWindow::emergency_stop() {
 }
 
 bool MainWindow::may_stop() const {
-    return !session::lock_of(session::Action::stop, context_.machine.view(), context_.open_job.view());
+    return !program_stop_lock(context_);
 }
 
 void MainWindow::stop() {
     let_go();
-    context_.machine.stop();
+    stop_program(context_);
     context_.log.add_command(session::Severity::info, session::phrase("Stop asked for"));
 }
 
 std::function<void()> MainWindow::escape_act() {
     switch (session::escape_order(context_.machine.view(), context_.machine.has_orders())) {
         case session::EscapeOrder::none:
-            return {};
+            if (!context_.program.is_on_its_way(context_.program_report)) return {};
+            return [this] { stop(); };
         case session::EscapeOrder::stop:
             return [this] { stop(); };
         case session::EscapeOrder::hold:

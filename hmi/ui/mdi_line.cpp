@@ -7,6 +7,8 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 #include "hmi/gcode/block.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/program_ground.hpp"
@@ -14,6 +16,22 @@
 #include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
+namespace {
+
+/// Far more than a block has: what is too long is refused with words, not cut.
+constexpr int kMostLetters = 1 << 20;
+
+bool is_return(const QKeyEvent& key) {
+    return key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+}
+
+/// A letter that ends a line, wherever the text was copied from.
+bool ends_line(QChar letter) {
+    return letter == '\n' || letter == '\r' || letter == QChar::LineSeparator ||
+           letter == QChar::ParagraphSeparator;
+}
+
+}  // namespace
 
 MdiLine::MdiLine(WindowContext& context, QWidget* parent)
     : QWidget(parent), context_(context), line_(new QLineEdit), said_(role_label("label")) {
@@ -21,7 +39,7 @@ MdiLine::MdiLine(WindowContext& context, QWidget* parent)
     line_->setObjectName("mdi_line");
     line_->setAccessibleName(tr("One block of G-code, run by Return"));
     line_->setPlaceholderText(tr("One block; Return runs it"));
-    line_->setMaxLength(static_cast<int>(gcode::kMostLineBytes));
+    line_->setMaxLength(kMostLetters);
     line_->setText(QString::fromStdString(context_.program.typed));
     line_->installEventFilter(this);
     said_->setObjectName("mdi_said");
@@ -29,6 +47,7 @@ MdiLine::MdiLine(WindowContext& context, QWidget* parent)
     connect(line_, &QLineEdit::textChanged, this, [this](const QString& text) {
         context_.program.typed = text.toStdString();
         refused_.clear();
+        is_text_refused_ = false;
     });
     connect(line_, &QLineEdit::returnPressed, this, [this] { run_block(); });
     auto* row = new QHBoxLayout;
@@ -45,6 +64,16 @@ MdiLine::MdiLine(WindowContext& context, QWidget* parent)
 void MdiLine::run_block() {
     const QString block = line_->text().trimmed();
     if (block.isEmpty()) return;
+    is_text_refused_ = true;
+    if (std::any_of(block.begin(), block.end(), ends_line)) {
+        refused_ = tr("The text has more than one line; only one block is run.");
+        return refresh();
+    }
+    if (const qsizetype bytes = block.toUtf8().size(); bytes > qsizetype{gcode::kMostLineBytes}) {
+        refused_ = tr("The block has %1 bytes; a line has %2 at most.").arg(bytes).arg(gcode::kMostLineBytes);
+        return refresh();
+    }
+    is_text_refused_ = false;
     if (const auto lock = program::machine_lock(program_ground(context_))) {
         refused_ = words(*lock);
         return refresh();
@@ -65,8 +94,17 @@ void MdiLine::bring_back(bool is_older) {
 }
 
 bool MdiLine::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == line_ && event->type() == QEvent::ShortcutOverride &&
+        is_return(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
     if (watched == line_ && event->type() == QEvent::KeyPress) {
         const auto* const key = static_cast<QKeyEvent*>(event);
+        // A shortcut of the window's begins something else; a key that is held runs nothing twice.
+        if (is_return(*key) &&
+            (key->isAutoRepeat() || (key->modifiers() & ~Qt::KeyboardModifiers{Qt::KeypadModifier}) != 0))
+            return true;
         const bool is_up = key->key() == Qt::Key_Up;
         if ((is_up || key->key() == Qt::Key_Down) && key->modifiers() == Qt::NoModifier) {
             bring_back(is_up);
@@ -96,7 +134,8 @@ QString MdiLine::said() const {
 
 void MdiLine::refresh() {
     const program::ProgramDesk& desk = context_.program;
-    if (!refused_.isEmpty() && !program::machine_lock(program_ground(context_))) refused_.clear();
+    if (!refused_.isEmpty() && !is_text_refused_ && !program::machine_lock(program_ground(context_)))
+        refused_.clear();
     const bool is_wrong = !refused_.isEmpty() ||
                           (desk.is_block() && desk.ended() && !desk.ended()->is_done && !desk.is_under_way());
     const QString text = said();

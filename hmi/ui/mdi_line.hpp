@@ -33,7 +33,8 @@ private:
     WindowContext& context_;
     QLineEdit* line_;
     QLabel* said_;
-    QString refused_;              ///< why Return did nothing; until the text or the machine is another
+    QString refused_;  ///< why Return did nothing; until the text or the machine is another
+    bool is_text_refused_ = false;
     std::size_t behind_last_ = 0;  ///< 0: what is being typed, 1: the last block ...
     QString typed_;                ///< before others were brought back
 };

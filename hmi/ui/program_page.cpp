@@ -15,7 +15,6 @@
 #include <limits>
 #include <utility>
 
-#include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/approach_card.hpp"
 #include "hmi/ui/checked_width.hpp"
@@ -101,7 +100,8 @@ QLayout* ProgramPage::make_head() {
     start_ = new ActionButton{program_start_lock, tr("Start program"), [this] { start(); }};
     start_->setObjectName("program_start");
     start_->set_hint(tr("Runs it as a process of its own: closing this window ends nothing"));
-    stop_ = new ActionButton{session::Action::stop, tr("Stop"), [this] { context_.machine.stop(); }};
+    stop_ = new ActionButton{program_stop_lock, tr("Stop"), [this] { stop_program(context_); }};
+    stop_->let_keys_press();
     stop_->setObjectName("program_stop");
     stop_->set_hint(tr("Ends the program in order: heads out, spindle off (Shift+Esc)"));
     auto* row = new FlowLayout;
@@ -163,6 +163,7 @@ QLayout* ProgramPage::make_views() {
     auto* row = new FlowLayout;
     row->setSpacing(kSmallGap);
     auto* planes = new QButtonGroup{this};
+    planes->setObjectName("program_plane");
     const QString names[] = {tr("R1 plane"), tr("R2 plane"), tr("Unrolled")};
     const char* const ids[] = {"program_plane_r1", "program_plane_r2", "program_plane_unrolled"};
     for (int i = 0; i < 3; ++i) {
@@ -231,9 +232,14 @@ void ProgramPage::decode_again() {
 /// From a line on only once it was told what comes before it.
 void ProgramPage::start() {
     program::ProgramDesk& desk = context_.program;
-    if (desk.switches.from_line <= 1) return desk.start(context_.machine.view());
-    desk.asks_for_start = true;
-    if (desk.program()->request.from_line != desk.switches.from_line) decode_again();
+    if (program_start_lock(context_)) return refresh();
+    if (desk.switches.from_line <= 1) {
+        desk.start(context_.machine.view());
+    } else {
+        decode_again();
+        desk.asks_for_start = true;
+    }
+    refresh();
 }
 
 void ProgramPage::set_theme(const Tokens& tokens) {
@@ -250,46 +256,6 @@ void ProgramPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     views_->setDirection(event->size().width() >= kLeastBesideEachOther_px ? QBoxLayout::LeftToRight
                                                                            : QBoxLayout::TopToBottom);
-}
-
-QString ProgramPage::facts_text() const {
-    const program::ProgramDesk& desk = context_.program;
-    if (desk.is_reading()) return tr("Reading the program: %1 %").arg(qRound(100.0 * desk.progress_ratio()));
-    if (!desk.problem().is_empty()) return words(desk.problem());
-    if (!desk.program()) return {};
-    if (context_.program.text().failure())
-        return tr("The file has been changed since it was read: decode it again.");
-    const program::Decoded& read = *desk.program();
-    const auto count = [](std::uint64_t number) { return QString::fromStdString(session::counted(number)); };
-    return tr("Lines: %1, moves: %2, errors: %3, warnings: %4")
-        .arg(count(read.facts.line_count), count(read.facts.motion_count), count(read.problems.error_count()),
-             count(read.problems.warning_count()));
-}
-
-/// What runs, or how it ended, or why nothing can be started.
-QString ProgramPage::state_text() const {
-    const program::ProgramDesk& desk = context_.program;
-    const ProgramReport& report = context_.program_report;
-    if (report.status.is_running != 0 && context_.machine.view().is_heard()) {
-        const QString place = words(program::place_phrase(report.status, context_.machine.view().state()));
-        QString text =
-            desk.is_ours(report.status) ? tr("The program runs. %1").arg(place)
-            : desk.is_block() && desk.is_under_way()
-                ? tr("The typed block runs. %1").arg(place)
-                : tr("Program %1 of another process runs. %2").arg(report.status.program).arg(place);
-        if (report.progress.program == report.status.program)
-            text += QStringLiteral(" · ") + tr("taken up to line %1").arg(report.progress.line);
-        if (report.status.starvations > 0)
-            text += QStringLiteral(" · ") + tr("waited for its lines: %1").arg(report.status.starvations);
-        return text;
-    }
-    if (desk.is_under_way() && !desk.is_block()) return tr("The program is on its way to the machine.");
-    if (desk.ended() && !desk.is_block()) {
-        return desk.ended()->is_done
-                   ? tr("The program is run.")
-                   : tr("The program ended: %1").arg(words(session::error_phrase(desk.ended()->said)));
-    }
-    return start_->reason();
 }
 
 void ProgramPage::show_program() {
@@ -311,19 +277,32 @@ void ProgramPage::show_program() {
         }
     }
     problems_->setVisible(problems_->count() > 0);
-    from_line_->setMaximum(desk.program()
-                               ? static_cast<int>(std::clamp<std::uint64_t>(
-                                     desk.program()->facts.line_count, 1, std::numeric_limits<int>::max()))
-                               : 1);
+    // Never less than what was asked for: start_lock() says where the program ends.
+    if (!desk.program()) return;
+    const std::uint64_t most =
+        std::max<std::uint64_t>(desk.program()->facts.line_count, desk.switches.from_line);
+    from_line_->setMaximum(
+        static_cast<int>(std::clamp<std::uint64_t>(most, 1, std::numeric_limits<int>::max())));
 }
 
 void ProgramPage::show_switches() {
     const program::ProgramDesk& desk = context_.program;
-    single_->setChecked(desk.switches.is_single);
-    optional_->setChecked(desk.switches.stops_at_optional);
-    delete_->setChecked(desk.switches.skips_deleted);
-    dry_->setChecked(desk.switches.is_dry);
-    from_line_->setValue(static_cast<int>(desk.switches.from_line));
+    // What is only shown is no wish of the operator's.
+    const program::RunSwitches& shown = desk.shown_switches();
+    const auto show = [](QAbstractButton& box, bool is_on) {
+        const QSignalBlocker no_wish{box};
+        box.setChecked(is_on);
+    };
+    show(*single_, shown.is_single);
+    show(*optional_, shown.stops_at_optional);
+    show(*delete_, shown.skips_deleted);
+    show(*dry_, shown.is_dry);
+    // The text of a line that is being typed is left alone.
+    if (const int line = static_cast<int>(shown.from_line); from_line_->value() != line) {
+        const QSignalBlocker no_wish{from_line_};
+        from_line_->setMaximum(std::max(from_line_->maximum(), line));
+        from_line_->setValue(line);
+    }
     for (QWidget* part : {static_cast<QWidget*>(single_), static_cast<QWidget*>(optional_),
                           static_cast<QWidget*>(delete_), static_cast<QWidget*>(dry_)}) {
         const QVariant hint = part->property("hint");
@@ -348,7 +327,7 @@ void ProgramPage::show_buttons() {
 
 void ProgramPage::show_running() {
     const ProgramStatus& status = context_.program_report.status;
-    const bool is_marked = status.is_running != 0 && context_.program.is_ours(status);
+    const bool is_marked = status.is_running != 0 && context_.program.is_shown(status);
     text_->mark_running(is_marked ? status.line : 0);
     path_->mark_line(is_marked ? status.line : text_->chosen_line());
 }

@@ -25,8 +25,9 @@ constexpr double kPathLeast_mm = 1.0;
 constexpr std::size_t kMostSmoothPieces = 8'000;  // a frame must not take long
 constexpr int kMostPathMarks = 5;
 constexpr double kPathMarkRoom_px = 40.0;
-/// A move of thousands of turns fills the picture anyway.
-constexpr double kMostTurnsDrawn = 100.0;
+/// The lines of more turns than these lie so close that they are one band.
+constexpr double kMostTurnsDrawn = 2.0;
+constexpr double kBandOpacity = 0.5;
 
 double place_of(const SketchPoint& point, Axis axis) {
     return point.place[index_of(axis)];
@@ -149,11 +150,18 @@ void ProgramPathView::draw_piece(QPainter& painter, std::size_t piece) const {
     const double sweep_deg = place_of(to, Axis::psi) - begin_deg;
     const double y_mm = place_of(from, Axis::y);
     const double rise_mm = place_of(to, Axis::y) - y_mm;
+    if (std::abs(sweep_deg) > kMostTurnsDrawn * kPathTurn_deg) {
+        QRectF band = QRectF{at(0.0, y_mm), at(kPathTurn_deg, y_mm + rise_mm)}.normalized();
+        band.setHeight(std::max(band.height(), kPathLine_px));
+        QColor colour = painter.pen().color();
+        colour.setAlphaF(kBandOpacity);
+        return painter.fillRect(band, colour);
+    }
     const double least_deg = std::min(begin_deg, begin_deg + sweep_deg);
     const double most_deg = std::max(begin_deg, begin_deg + sweep_deg);
     const double first = std::floor(least_deg / kPathTurn_deg);
     const double last = std::max(std::ceil(most_deg / kPathTurn_deg), first + 1.0);
-    const int turns = static_cast<int>(std::min(last - first, kMostTurnsDrawn));
+    const int turns = static_cast<int>(last - first);
     for (int i = 0; i < turns; ++i) {
         const double turn = first + i;
         const double low_deg = std::max(least_deg, turn * kPathTurn_deg);
@@ -216,14 +224,16 @@ void ProgramPathView::draw_path() {
                                 program_ ? tr("Nothing moves in this plane.") : QString{});
     }
     draw_scales(painter);
-    painter.setRenderHint(QPainter::Antialiasing, program_->path.size() < kMostSmoothPieces);
+    // Neither smooth lines nor dashes: of so many nobody sees one.
+    const bool is_crowded = program_->path.size() >= kMostSmoothPieces;
+    painter.setRenderHint(QPainter::Antialiasing, !is_crowded);
     const QColor colour = plane_ == Plane::r1   ? tokens_->r1
                           : plane_ == Plane::r2 ? tokens_->r2
                                                 : tokens_->text;
     for (std::size_t i = 1; i < program_->path.size(); ++i) {
         const bool is_rapid = program_->path[i].is_rapid;
-        painter.setPen(
-            QPen{is_rapid ? tokens_->text2 : colour, kPathLine_px, is_rapid ? Qt::DashLine : Qt::SolidLine});
+        painter.setPen(QPen{is_rapid ? tokens_->text2 : colour, kPathLine_px,
+                            is_rapid && !is_crowded ? Qt::DashLine : Qt::SolidLine});
         draw_piece(painter, i);
     }
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <unistd.h>
+
 #include <QApplication>
 
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "hmi/phrase/error_phrase.hpp"
@@ -50,7 +53,7 @@ struct WindowContext {
           files(options.segment_name, options.group, log, saves),
           program(log, options.segment_name, options.group,
                   {session::state_folder(std::getenv("XDG_STATE_HOME"), std::getenv("HOME")) + "/programs",
-                   options.segment_name}) {
+                   options.segment_name + "-" + std::to_string(::getpid())}) {
         open_job.set_recordings(replay::is_recording, [this](const std::string& path) { open_replay(path); });
         files.set_files_in_use([this] {
             std::vector<std::string> open{open_job.path()};

@@ -19,7 +19,7 @@ protected:
         program_.facts.line_count = 10;
     }
     std::string lock() {
-        const auto why = start_lock({machine_, report_, is_own_, is_replay_},
+        const auto why = start_lock({machine_, report_, is_own_, is_replay_, is_changed_},
                                     has_program_ ? &program_ : nullptr, is_reading_, switches_);
         return why ? session::in_english(*why) : "";
     }
@@ -32,6 +32,7 @@ protected:
     bool is_reading_ = false;
     bool is_own_ = false;
     bool is_replay_ = false;
+    bool is_changed_ = false;
 };
 
 TEST_F(ProgramLock, LetsARightProgramStartOnAReadyMachine) {
@@ -49,6 +50,32 @@ TEST_F(ProgramLock, SaysWhatIsWrongWithTheProgram) {
     EXPECT_EQ(lock(), "Start: no program is open");
     is_reading_ = true;
     EXPECT_EQ(lock(), "Start: the program is being read");
+}
+
+TEST_F(ProgramLock, WantsTheFileReadAsItWouldRun) {
+    switches_.skips_deleted = true;
+    EXPECT_EQ(lock(), "Start: it was read with another block delete; decode it again");
+    program_.request.skips_deleted = true;
+    EXPECT_EQ(lock(), "");
+    is_changed_ = true;
+    EXPECT_EQ(lock(), "Start: the file has been changed since it was read; decode it again");
+}
+
+TEST_F(ProgramLock, KnowsWhetherWhatWasToldStillHolds) {
+    program_.request.start = known_place(machine_);
+    program_.request.from_line = 1;
+    EXPECT_TRUE(is_read_as_it_is(program_, machine_, switches_));
+    machine_.status->position_pulses[0] += 1;
+    EXPECT_FALSE(is_read_as_it_is(program_, machine_, switches_)) << "one pulse";
+    program_.request.start = known_place(machine_);
+    switches_.skips_deleted = true;
+    EXPECT_FALSE(is_read_as_it_is(program_, machine_, switches_));
+    switches_.skips_deleted = false;
+    switches_.from_line = 2;
+    EXPECT_FALSE(is_read_as_it_is(program_, machine_, switches_));
+    switches_.from_line = 1;
+    machine_.profile->y.travel_mm[1] += 1.0;
+    EXPECT_FALSE(is_read_as_it_is(program_, machine_, switches_));
 }
 
 TEST_F(ProgramLock, SaysWhatTheMachineIsAt) {

@@ -8,95 +8,20 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSpinBox>
-#include <QTabWidget>
 
-#include <fstream>
 #include <sstream>
 #include <string>
 
 #include "hmi/ui/dialogs.hpp"
 #include "hmi/ui/language.hpp"
-#include "hmi/ui/program_path_view.hpp"
-#include "hmi/ui/program_text_view.hpp"
-#include "shared/segment/segment_program.hpp"
-#include "tests/hmi/ui/hands_rig.hpp"
-#include "tests/places.hpp"
+#include "tests/hmi/ui/program_rig.hpp"
 
 namespace psicarve::ui {
 namespace {
 
 using S = MachineState;
 
-/// Its windows find `psicarve` where the build has it.
-class ProgramPageOf : public test::HandsRig {
-protected:
-    ProgramPageOf() : path_before_(qgetenv("PATH")) {
-        qputenv("PATH", QByteArray::fromStdString(in_build("bin:")) + path_before_);
-    }
-    ~ProgramPageOf() override { qputenv("PATH", path_before_); }
-
-    program::ProgramDesk& desk() { return window_->context().program; }
-    const ProgramStatus& running() { return window_->context().program_report.status; }
-    ProgramTextView& text_view() { return static_cast<ProgramTextView&>(part<QWidget>("program_text")); }
-    ProgramPathView& path_view() { return static_cast<ProgramPathView&>(part<QWidget>("program_path")); }
-    std::string program(const std::string& text, const char* name = "part.ngc") {
-        std::ofstream{file(name)} << text;
-        return file(name);
-    }
-    bool is_read() {
-        return comes_true([&] { return !desk().is_reading() && desk().program() != nullptr; });
-    }
-    ::testing::AssertionResult opens(const std::string& text) {
-        window_->open(QString::fromStdString(program(text)));
-        if (is_read()) return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure() << all_messages().toStdString();
-    }
-    void have_homed_window() {
-        start_core();
-        attach();
-        open_in_front();
-        ASSERT_TRUE(click("home"));
-        ASSERT_TRUE(comes_to(S::ready));
-    }
-    ::testing::AssertionResult holds_in_line(std::uint64_t line, ProgramHold hold) {
-        if (comes_true([&] {
-                return machine_view().state() == S::held && running().line == line && running().hold == hold;
-            }))
-            return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure()
-               << "line " << running().line << ", " << name_of(running().hold) << ", "
-               << name_of(machine_view().state()) << ": " << text_of("program_state").toStdString() << "\n"
-               << all_messages().toStdString();
-    }
-    /// The command's process has ended, too.
-    ::testing::AssertionResult is_over(bool is_done) {
-        if (comes_true([&] {
-                return desk().ended() && desk().ended()->is_done == is_done && !desk().is_under_way() &&
-                       machine_view().state() == S::ready;
-            }))
-            return ::testing::AssertionSuccess();
-        return ::testing::AssertionFailure() << text_of("program_state").toStdString() << "\n"
-                                             << all_messages().toStdString();
-    }
-    double place(Axis axis) {
-        return static_cast<double>(machine_view().status->position_pulses[index_of(axis)]) /
-               axis_motion(Profile{}, axis).pulses_per_unit;
-    }
-    QString page_name() {
-        const QWidget* const page = part<QTabWidget>("tabs").currentWidget();
-        for (const char* name : {"program_page", "model_page"}) {
-            if (page->isAncestorOf(window_->findChild<QWidget*>(name))) return name;
-        }
-        return {};
-    }
-    QString state_of_page() {
-        window_->refresh();
-        return text_of("program_state");
-    }
-
-private:
-    QByteArray path_before_;
-};
+class ProgramPageOf : public test::ProgramRig {};
 
 TEST_F(ProgramPageOf, ShowsErrorsBesideTheirLinesAndStartsNoneThatIsWrong) {
     ASSERT_NO_FATAL_FAILURE(have_homed_window());
@@ -202,7 +127,7 @@ TEST_F(ProgramPageOf, RunsAProgramToItsEndAndFollowsItsLine) {
     EXPECT_EQ(text_view().first_line(), 1U) << "it is followed no more";
     EXPECT_EQ(text_view().running_line(), 0U);
     EXPECT_NEAR(place(Axis::y), 6.0, 0.01);
-    EXPECT_EQ(state_of_page(), "The program is run.");
+    EXPECT_EQ(state_of_page(), "part.ngc is run.");
     EXPECT_TRUE(comes_true([&] { return button("program_start").isEnabled(); }));
 }
 
@@ -220,7 +145,7 @@ TEST_F(ProgramPageOf, LeavesAProgramRunningWhenTheWindowIsClosed) {
     open_in_front();
     show_page("program_page");
     ASSERT_TRUE(holds_in_line(3, ProgramHold::program));
-    EXPECT_TRUE(state_of_page().startsWith("Program 1 of another process runs. Line 3: "))
+    EXPECT_TRUE(state_of_page().contains(" of another process runs. Line 3: "))
         << state_of_page().toStdString();
     EXPECT_EQ(text_view().running_line(), 0U) << "nobody knows which file it is of";
     ASSERT_TRUE(click("resume"));
@@ -235,7 +160,7 @@ TEST_F(ProgramPageOf, StopsAProgramAndTellsWhatItsProcessSaid) {
     ASSERT_TRUE(holds_in_line(3, ProgramHold::program));
     ASSERT_TRUE(click("program_stop"));
     ASSERT_TRUE(is_over(false));
-    EXPECT_TRUE(state_of_page().startsWith("The program ended: ")) << state_of_page().toStdString();
+    EXPECT_TRUE(state_of_page().startsWith("part.ngc ended: ")) << state_of_page().toStdString();
     EXPECT_TRUE(state_of_page().contains("line 3")) << state_of_page().toStdString();
     EXPECT_TRUE(all_messages().contains("Program ended")) << all_messages().toStdString();
 }

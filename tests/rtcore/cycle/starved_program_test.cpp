@@ -45,7 +45,7 @@ TEST(StarvedProgram, RestsOnItsPathAndGoesOnWithTheSamePulses) {
             // The end of the only group that is settled.
             EXPECT_EQ(sut.program().line, RecordProgram::kPartPoints);
             // On the curve, which passes the point within the tolerance.
-            const Pulses4 point = script.steps[RecordProgram::kPartPoints - 1].target_pulses;
+            const plan::Pulses4 point = script.steps[RecordProgram::kPartPoints - 1].target_pulses;
             for (std::size_t k = 0; k < kAxisCount; ++k)
                 EXPECT_NEAR(static_cast<double>(sut.positions()[k]), static_cast<double>(point[k]), 8.0);
             sut.run(3 * kPatienceTicks);

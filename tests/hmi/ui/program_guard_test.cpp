@@ -69,7 +69,7 @@ TEST_F(ProgramGuardOf, StopEndsWhatIsOnItsWayBeforeItMoves) {
     ASSERT_TRUE(click("program_stop"));
     ASSERT_TRUE(is_over(false));
     EXPECT_TRUE(state_of_page().endsWith("interrupted; nothing has moved")) << state_of_page().toStdString();
-    const std::uint64_t before = all_messages().count("Program started");
+    const qsizetype before = all_messages().count("Program started");
     ASSERT_TRUE(click("program_start"));
     ASSERT_TRUE(comes_true([&] { return desk().has_process(); }));
     press_key(Qt::Key_Escape, Qt::ShiftModifier);

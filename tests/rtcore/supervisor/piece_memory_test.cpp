@@ -130,7 +130,7 @@ TEST_F(PieceMemoryTest, AStartOfWhichTheSegmentKnowsNothingIsAnnouncedWhereTheDi
 
 // The machine carves it as it does a job, and the sample still has the figures of the job that ran before.
 TEST_F(PieceMemoryTest, AProgramLeavesThePiecesRecordAsItIs) {
-    for (const std::uint64_t carve_first_tick : {0, 150}) {
+    for (const std::uint64_t carve_first_tick : {std::uint64_t{0}, std::uint64_t{150}}) {
         leave_on_disk(2);
         leave_in_segment(after(2));
         {

@@ -3210,7 +3210,7 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>Program</source>
-            <translation>Программа</translation>
+            <translation>G-код</translation>
         </message>
         <message>
             <source>Program %1 of another process runs. %2</source>

@@ -123,7 +123,7 @@ TEST_F(HandsOnAScreen, AKeysJogEndsWhenAnotherWindowTakesTheKeyboard) {
 TEST_F(HandsOnAScreen, TheEmergencyStopWorksFromADialog) {
     open_while_carving();
     press({"ctrl+o"});
-    ASSERT_TRUE(says("modal", "Open model, job or recording"));
+    ASSERT_TRUE(says("modal", "Open model, job, program or recording"));
     press({"F1"});
     ASSERT_TRUE(reaches(S::alarm));
     EXPECT_EQ(status().alarm_cause, AlarmCause::emergency_stop);

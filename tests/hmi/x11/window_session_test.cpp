@@ -31,7 +31,7 @@ TEST_F(WindowOnAScreen, TakesAnOperatorFromAModelToTheLastLayer) {
     open_window({"--opengl"});
     EXPECT_EQ(ask("kind model_view"), "opengl") << text_of(file("window.log"));
     press({"ctrl+o"});
-    ASSERT_TRUE(choose_file("Open model, job or recording", example("figurine.stl")));
+    ASSERT_TRUE(choose_file("Open model, job, program or recording", example("figurine.stl")));
     ASSERT_TRUE(says("where slice", " ready"));
     ASSERT_TRUE(fill_in("layers", "4000"));
     ASSERT_TRUE(fill_in("points", "400"));

@@ -101,7 +101,10 @@ private:
         // Somewhere in this group, or in every third once it has rested at its end for long.
         wants_rest_ = random_() % 3 == 0;
         due_line_ = program_line(group[random_() % group.size()]);
-        if (random_() % 2 == 0) due_line_ = program_line(group[group.size() - 1 - random_() % 60]);
+        if (random_() % 2 == 0) {
+            const std::size_t before_end = std::min<std::size_t>(random_() % 60, group.size() - 1);
+            due_line_ = program_line(group[group.size() - 1 - before_end]);
+        }
     }
     bool is_due() {
         if (!wants_rest_) return rig_.executor.program_line() >= due_line_ || is_at_open_end();

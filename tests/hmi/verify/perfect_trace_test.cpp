@@ -32,7 +32,7 @@ TEST(PerfectTrace, OfAZigzagJobIsVerified) {
 }
 
 TEST(PerfectTrace, OfASpiralIsVerified) {
-    for (const std::uint32_t rows : {1U, 3U, 6U}) {
+    for (const std::uint32_t rows : {1U, 2U, 3U, 6U}) {
         for (const std::uint32_t points : {2U, 5U, 21U, 98U}) {
             const SampleJob job = wavy_job(Joining::spiral, rows, points);
             PerfectMachine machine(job);

@@ -2,6 +2,7 @@
 #include "hmi/program/program_desk.hpp"
 
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "hmi/phrase/error_phrase.hpp"
@@ -98,7 +99,10 @@ void ProgramDesk::start(const session::MachineView& machine) {
     if (is_under_way()) return;
     RunRequest wanted = request();
     wanted.state = program_->state;
-    wanted.file = std::filesystem::absolute(path_).string();
+    // A working folder that is gone makes no path absolute: the process says what it cannot open.
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path_, error);
+    wanted.file = error ? path_ : whole.string();
     wanted.switches = switches;
     forget_last_run();
     is_block_ = false;

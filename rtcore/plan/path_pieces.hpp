@@ -32,7 +32,8 @@ struct PathPiece {
     Lanes bend;           ///< greatest |d2q/du2| [pulses/s^2]
     std::uint32_t point;  ///< index of the path point it reaches, or passes, or kNoPoint
     std::array<double, 2>
-        rest_speed2{};  ///< at its begin and end: of the profile that comes to rest (PathTiming)
+        rest_speed2{};   ///< at its begin and end: of the profile that comes to rest (PathTiming)
+    bool rests = false;  ///< a run ends with it, and what comes behind is another
 };
 
 /// Into how many bits of equal length a part of a cell is cut, each as good as straight: DDA segments end at

@@ -224,6 +224,8 @@ void RecordProgram::rest_at(std::size_t point) {
 }
 
 void RecordProgram::drop_points(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        note_gap_ways(limits_, points_[i].pulses, points_[i + 1].pulses, gap_ways_);
     points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count));
     ways_.erase(ways_.begin(), ways_.begin() + static_cast<std::ptrdiff_t>(count));
 }
@@ -233,7 +235,7 @@ void RecordProgram::look_at_spans() {
     if (!is_open_) set_limits();
     spans_ = path_spans(limits_, points_);
     for (std::size_t i = 0; i < spans_.size(); ++i) spans_[i].least_pace2 = ways_[i + 1].least_pace2;
-    corners_ = path_corners(limits_, spans_);
+    corners_ = path_corners(limits_, spans_, gap_ways_);
 }
 
 void RecordProgram::set_limits() {

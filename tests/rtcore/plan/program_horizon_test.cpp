@@ -248,6 +248,22 @@ TEST(ProgramHorizon, CrossesGapsAtRestAlone) {
     EXPECT_GT(all_joined, 12);
 }
 
+// How the axis stands in its gap is known, however long ago it moved.
+TEST(ProgramHorizon, GoesOnWhereAnAxisWithBacklashGoesOnTheSameWay) {
+    Profile profile;
+    profile.r1.backlash_mm = 0.02;
+    const auto runs_of = [&profile](std::int64_t second_way) {
+        Script script{kStartPulses};
+        for (int i = 0; i < 2600; ++i) {
+            const std::int64_t out = i < 100 ? 1 : i < 1700 ? 0 : second_way;
+            script.way({out, 0, 20, 0}, 0.02);
+        }
+        return groups_of(program_blocks(script.end().steps, false, profile)).runs;
+    };
+    EXPECT_EQ(runs_of(1), 1);
+    EXPECT_EQ(runs_of(-1), 2);
+}
+
 TEST(ProgramHorizon, MakesTheSameBlocksWheneverItsStepsCome) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const auto steps = dense_program(seed, 2200, seed % 2 == 0 ? 0b1101 : 0b0101).steps;

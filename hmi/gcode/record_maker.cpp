@@ -203,9 +203,10 @@ void RecordMaker::move_on_chords(const CanonRecord& record, double seconds) {
     const AxisMask letters = static_cast<AxisMask>(record.placed & moving_letters());
     const double each_s = seconds / static_cast<double>(chords.count());
     for (std::uint64_t chord = 1; chord <= chords.count() && wants_more(); ++chord) {
-        const double tolerance_mm = chord == chords.count() && is_exact_ ? 0.0 : corner_mm;
-        put_way(record.line, chords.end_of(chord), letters, each_s, tolerance_mm, false);
+        put_way(record.line, chords.end_of(chord), letters, each_s, corner_mm, false);
     }
+    // Not the last chord itself: before an exact way the machine rests.
+    if (is_exact_ && wants_more()) put_way(record.line, record.end, letters, 0.0, 0.0, false);
 }
 
 double RecordMaker::corner_tolerance_mm() const noexcept {

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/record_outlet.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace psicarve::gcode {
 
 void RecordOutlet::put(const MotionRecord& record) {
-    if (record.kind != MotionKind::way) narrow(0.0);
     if (held_ && held_->line != record.line) end_block();
     give();
     held_ = record;
-}
-
-void RecordOutlet::narrow(double tolerance_mm) noexcept {
-    if (held_ && held_->kind == MotionKind::way)
-        held_->tolerance_mm = std::min(held_->tolerance_mm, tolerance_mm);
 }
 
 void RecordOutlet::end_block() noexcept {
@@ -23,7 +16,6 @@ void RecordOutlet::end_block() noexcept {
 }
 
 void RecordOutlet::flush() {
-    narrow(0.0);
     end_block();
     give();
 }

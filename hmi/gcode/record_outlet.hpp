@@ -16,8 +16,8 @@ public:
     virtual Result<void> take(const MotionRecord& record) = 0;
 };
 
-/// Gives records out one later than it gets them, as what follows decides how a way ends: at rest before
-/// everything that is none, and with its block where the next one has another line. Numbers them.
+/// Gives records out one later than it gets them, as what follows decides whether one ends its block: where
+/// the next one has another line. Numbers them.
 class RecordOutlet {
 public:
     /// The sink outlives the outlet.
@@ -25,8 +25,6 @@ public:
 
     /// Program, sequence, check, and whether it ends its block, are filled in here.
     void put(const MotionRecord& record);
-    /// The last record's end, if it is a way, is passed as near as this.
-    void narrow(double tolerance_mm) noexcept;
     /// The last record ends its block, whatever follows.
     void end_block() noexcept;
     /// Nothing follows.

@@ -32,7 +32,7 @@ public:
     void pause(std::int64_t ticks) noexcept { pause_ticks_left_ = ticks; }
 
     /// At rest: no block is queued, nor does a pause go on.
-    bool is_dry() const noexcept { return pause_ticks_left_ == 0 && blocks_->front() == nullptr; }
+    bool has_run_out() const noexcept { return pause_ticks_left_ == 0 && blocks_->front() == nullptr; }
 
     /// The block at hand is the last of its group.
     bool is_last_of_group() const noexcept { return group_blocks_left_ == 0; }

@@ -79,7 +79,7 @@ public:
     bool are_heads_lifted() const noexcept { return motion_.are_heads_lifted(); }
     /// A program runs, and nothing is left to do before its next block comes, or it may slow down without.
     bool awaits_blocks() const noexcept {
-        return carves_program() && (motion_.is_dry() || motion_.runs_short());
+        return carves_program() && (motion_.has_run_out() || motion_.runs_short());
     }
     /// What the sample record shows when it is renewed.
     Sample sample() const noexcept;

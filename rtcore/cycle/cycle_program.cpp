@@ -16,7 +16,7 @@ Refusal Cycle::start_program(const Request& request) noexcept {
 
 // Once there is nothing to do: it has come to rest by itself, on a point of the program.
 void Cycle::watch_supply() noexcept {
-    if (program_.falls_dry(motion_.is_dry())) rest_in_program();
+    if (program_.runs_out(motion_.has_run_out())) rest_in_program();
 }
 
 void Cycle::halt_program(ProgramHold hold) noexcept {

@@ -84,7 +84,7 @@ public:
     std::uint8_t homing_axis() const noexcept { return search_.homing_axis(); }
 
     /// It rests, and nothing is queued that it could do next.
-    bool is_dry() const noexcept { return !in_motion_ && feed_.is_dry(); }
+    bool has_run_out() const noexcept { return !in_motion_ && feed_.has_run_out(); }
     /// It may slow down, or rest, because the next group is not queued.
     bool runs_short() const noexcept { return in_motion_ && feed_.goes_on() && !feed_.has_next_group(); }
     /// Of the block at hand; 0: it has none.

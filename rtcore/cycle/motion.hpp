@@ -58,7 +58,7 @@ public:
     const Coasting& coasting() const noexcept { return coasting_; }
 
     /// It rests, heads on the path, and nothing is queued that it could do next.
-    bool is_dry() const noexcept { return !lift_.is_active() && executor_.is_dry(); }
+    bool has_run_out() const noexcept { return !lift_.is_active() && executor_.has_run_out(); }
     /// It may slow down for want of blocks.
     bool runs_short() const noexcept { return !lift_.is_active() && executor_.runs_short(); }
     bool has_block() const noexcept { return io_->blocks.front() != nullptr; }

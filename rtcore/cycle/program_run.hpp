@@ -22,7 +22,7 @@ public:
         status_.program = program;
         status_.is_running = 1;
         status_.is_single = is_single ? 1 : 0;
-        dry_steps_ = 0;
+        empty_steps_ = 0;
         has_begun_ = false;
     }
     /// Its last block is done.
@@ -41,7 +41,7 @@ public:
     void wait_for(ProgramHold hold) noexcept { status_.hold = hold; }
     void go_on() noexcept {
         status_.hold = ProgramHold::none;
-        dry_steps_ = 0;
+        empty_steps_ = 0;
     }
     ProgramHold hold() const noexcept { return status_.hold; }
     /// Records alone are awaited: with them it goes on by itself.
@@ -49,13 +49,13 @@ public:
 
     /// Each step of the interpolation in which it runs. True, once: from now on it starves, and that was
     /// counted. Before its first block it does not.
-    bool falls_dry(bool is_dry) noexcept {
-        if (!is_dry) {
-            dry_steps_ = 0;
+    bool runs_out(bool has_run_out) noexcept {
+        if (!has_run_out) {
+            empty_steps_ = 0;
             has_begun_ = true;
             return false;
         }
-        if (!has_begun_ || ++dry_steps_ < patience_steps_) return false;
+        if (!has_begun_ || ++empty_steps_ < patience_steps_) return false;
         wait_for(ProgramHold::starved);
         ++status_.starvations;
         return true;
@@ -66,7 +66,7 @@ public:
 private:
     ProgramStatus status_{};
     std::int64_t patience_steps_;
-    std::int64_t dry_steps_ = 0;
+    std::int64_t empty_steps_ = 0;
     bool has_begun_ = false;  ///< a block of it came
 };
 

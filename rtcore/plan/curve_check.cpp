@@ -6,10 +6,11 @@
 #include <cmath>
 #include <optional>
 
+#include "rtcore/plan/chord_plane.hpp"
+#include "rtcore/plan/curve_walk.hpp"
 #include "rtcore/plan/path_pieces.hpp"
 #include "rtcore/plan/polyline_check.hpp"
 #include "rtcore/plan/wide.hpp"
-#include "shared/base/units.hpp"
 
 namespace psicarve::plan {
 namespace {
@@ -20,56 +21,12 @@ constexpr double kTurnShare = 0.25;
 // Numbers this large have no fractions: adding it and taking it off again rounds.
 constexpr double kRounder = 6755399441055744.0;
 
-/// One head's plane around a chord: along and across it [mm], from pulses past the chord's begin.
-class ChordPlane {
-public:
-    ChordPlane(const MachineLimits& limits, const PathSpan& span, std::size_t head) : head_(head) {
-        const double psi_mm = std::max(span.radius_mm[head], 0.0) * rad_from_pulses(1, limits.pulses_per_rev);
-        const double radius_mm = 1.0 / limits.axes[head].pulses_per_unit;
-        const double x_mm = span.slope[kPsi] * span.length * psi_mm;
-        const double y_mm = span.slope[head] * span.length * radius_mm;
-        length_mm_ = std::sqrt(x_mm * x_mm + y_mm * y_mm);
-        const double ux = length_mm_ > 0.0 ? x_mm / length_mm_ : 1.0;
-        const double uy = length_mm_ > 0.0 ? y_mm / length_mm_ : 0.0;
-        across_psi_ = -uy * psi_mm;
-        across_radius_ = ux * radius_mm;
-        along_psi_ = ux * psi_mm;
-        along_radius_ = uy * radius_mm;
-        pulse_along_mm_ = std::max(std::abs(along_psi_), std::abs(along_radius_));
-        // Rule 1 grants the greater of the two axes' pulses; half of both is the DDA's.
-        const double psi_share_mm = std::abs(across_psi_);
-        const double radius_share_mm = std::abs(across_radius_);
-        const double allowed_mm = limits.path_tolerance_mm + std::max(psi_share_mm, radius_share_mm) -
-                                  0.5 * (psi_share_mm + radius_share_mm);
-        inverse_allowed_ = 1.0 / allowed_mm;
-    }
-
-    /// How far from the chord, its ends included, as a share of what is allowed.
-    PSICARVE_INLINE double share_of_allowed(const Vec& passed) const {
-        const double across = across_psi_ * passed[kPsi] + across_radius_ * passed[head_];
-        const double along = along_psi_ * passed[kPsi] + along_radius_ * passed[head_];
-        const double outside = std::max(-along, along - length_mm_);
-        const double distance_mm =
-            outside <= pulse_along_mm_ ? std::abs(across) : std::sqrt(across * across + outside * outside);
-        return distance_mm * inverse_allowed_;
-    }
-
-private:
-    std::size_t head_;
-    double length_mm_;
-    double across_psi_;
-    double across_radius_;
-    double along_psi_;
-    double along_radius_;
-    double pulse_along_mm_;
-    double inverse_allowed_;
-};
-
 /// What one span's way has shown so far.
 class SpanWatch {
 public:
     SpanWatch(const MachineLimits& limits, const PathPoint& from, const PathPoint& to, PathSpan& span)
-        : span_(span), planes_{{{limits, span, 0}, {limits, span, 1}}} {
+        : span_(span),
+          planes_{{{limits, span, 0, JudgedPlaces::cuts}, {limits, span, 1, JudgedPlaces::cuts}}} {
         follows_table_ = cuts_follow_table(limits, span.radius_mm);
         way_ = to.pulses[kPsi] < from.pulses[kPsi] ? -1.0 : 1.0;
         for (std::size_t k = 0; k < kAxisCount; ++k) begin_[k] = static_cast<double>(from.pulses[k]);
@@ -147,23 +104,11 @@ void narrow_where_outside(const MachineLimits& limits, std::span<const PathPoint
         narrow_where_off_polyline(limits, points, curve, range, spans, narrowed, stuck);
         return;
     }
-    const CurveNodes& nodes = curve.nodes;
-    std::optional<SpanWatch> watch;
-    for (std::size_t j = range.first; j <= range.last; ++j) {
-        const PathCell& cell = curve.cells[j];
-        double begin = 0.0;
-        if (nodes.point_at[j] != CurveNodes::kNoPoint) {
-            begin = j > 0 ? 0.5 * nodes.step[j - 1] : 0.0;
-            if (j > range.first) {
-                watch->watch(cell, curve.cell_at[j], 0.0, begin);
-                if (watch->is_outside()) (watch->narrow() ? narrowed : stuck).push_back(nodes.span_at[j - 1]);
-            }
-            if (j == range.last) break;
-            const std::uint32_t span = nodes.span_at[j];
-            watch.emplace(limits, points[span], points[span + 1], spans[span]);
-        }
-        watch->watch(cell, curve.cell_at[j], begin, cell.length);
-    }
+    const auto begin_span = [&](std::optional<SpanWatch> & watch, std::uint32_t span)
+        __attribute__((always_inline)) {
+        watch.emplace(limits, points[span], points[span + 1], spans[span]);
+    };
+    narrow_watched<SpanWatch>(curve, range, begin_span, narrowed, stuck);
 }
 
 }  // namespace psicarve::plan

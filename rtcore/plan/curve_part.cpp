@@ -47,12 +47,16 @@ bool StretchPlanner::decide(std::span<const PathPoint> points, std::span<const P
     is_found_ = decided_.empty() || go_on_from(static_cast<std::uint32_t>(at.from));
     is_found_ = is_found_ && curve_.nodes.step.size() >= first_node_ + kLeastNodes;
     if (is_found_) curve_.times.is_within = fit(points);
+    if (is_found_) {
+        time(spans);
+        bend_evenly(points, spans);
+        // Cut on its chords, a way keeps the tolerance wherever the curve is.
+        is_found_ = curve_.times.is_within || !rounds_corners(limits_);
+    }
     if (!is_found_) {
         decided_.clear();
         return false;
     }
-    time(spans);
-    bend_evenly(points, spans);
     // Limits may be those of the curve that was not taken.
     note_outside();
     limit_speeds();

@@ -128,10 +128,14 @@ double LookaheadProgram::seconds_of(std::span<const PathPoint> way) {
 }
 
 void LookaheadProgram::add_stretch() {
-    const std::size_t begin = blocks_.size();
-    for (const PathPiece& piece : pieces_) add_block(piece);
-    blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
-    note_gaps(limits_, std::span(blocks_).subspan(begin));
+    std::size_t begin = blocks_.size();
+    for (const PathPiece& piece : pieces_) {
+        add_block(piece);
+        if (!piece.rests) continue;
+        blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
+        note_gaps(limits_, std::span(blocks_).subspan(begin));
+        begin = blocks_.size();
+    }
 }
 
 void LookaheadProgram::add_block(const PathPiece& piece) {

@@ -161,11 +161,9 @@ void keep_y_on_its_way(const MachineLimits& limits, std::span<PathSpan> spans) {
     }
 }
 
-/// Which way each axis that has backlash went last; 0: not known.
-using Ways = std::array<int, kAxisCount>;
-
-// Whether an axis that has backlash turns round with this span: the gap is crossed at rest.
-bool crosses_gap(const MachineLimits& limits, const PathSpan& span, Ways& ways) {
+// Whether an axis that has backlash turns round with this span, or begins to move and it is not known how it
+// stands in its gap: that is crossed at rest.
+bool crosses_gap(const MachineLimits& limits, const PathSpan& span, GapWays& ways) {
     bool crosses = false;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         if (limits.tick.axes[k].backlash_pulses == 0 || span.slope[k] == 0.0) continue;
@@ -239,10 +237,16 @@ std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const Pa
     return spans;
 }
 
-std::vector<PathCorner> path_corners(const MachineLimits& limits, std::span<const PathSpan> spans) {
+void note_gap_ways(const MachineLimits& limits, const Pulses4& from, const Pulses4& to, GapWays& ways) {
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        if (limits.tick.axes[k].backlash_pulses > 0 && from[k] != to[k]) ways[k] = from[k] < to[k] ? 1 : -1;
+    }
+}
+
+std::vector<PathCorner> path_corners(const MachineLimits& limits, std::span<const PathSpan> spans,
+                                     GapWays ways) {
     std::vector<PathCorner> corners;
     corners.reserve(spans.size());
-    Ways ways{};
     if (!spans.empty()) crosses_gap(limits, spans[0], ways);
     for (std::size_t i = 1; i < spans.size(); ++i) {
         corners.push_back(corner_between(limits, spans[i - 1], spans[i]));

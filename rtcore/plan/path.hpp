@@ -84,7 +84,13 @@ double stop_speed2(const MachineLimits& limits, const Lanes& slope, const Lanes*
 /// Tube and parameter of every way between neighbouring points (points.size() - 1 of them). Requires
 /// neighbours that differ.
 std::vector<PathSpan> path_spans(const MachineLimits& limits, std::span<const PathPoint> points);
-/// One for each inner point: corners[i] lies between spans[i] and spans[i + 1].
-std::vector<PathCorner> path_corners(const MachineLimits& limits, std::span<const PathSpan> spans);
+/// Which way each axis that has backlash went last; 0: not known.
+using GapWays = std::array<int, kAxisCount>;
+/// What they are after a straight way between these points.
+void note_gap_ways(const MachineLimits& limits, const Pulses4& from, const Pulses4& to, GapWays& ways);
+/// One for each inner point: corners[i] lies between spans[i] and spans[i + 1]. `ways`: before the first
+/// span.
+std::vector<PathCorner> path_corners(const MachineLimits& limits, std::span<const PathSpan> spans,
+                                     GapWays ways = {});
 
 }  // namespace psicarve::plan

@@ -102,6 +102,8 @@ void PieceMaker::add_bit(double from, double to) {
         bit.end_speed[timing] = std::sqrt(bit.end_speed2[timing]);
         bit.seconds[timing] = 2.0 * bit.length / (bit.begin_speed[timing] + bit.end_speed[timing]);
     }
+    if (has_rest())
+        bit.rest_seconds = 2.0 * bit.length / (std::sqrt(bit.rest_speed2[0]) + std::sqrt(bit.rest_speed2[1]));
     Vec at, slope, bend;
     load(cell_at_, at);
     load(cell_->slope_begin, slope);
@@ -255,6 +257,7 @@ std::size_t PieceMaker::longest(std::size_t first) {
         for (std::size_t timing = 0; timing < kTimingCount; ++timing) {
             together.seconds[timing] += bits_[i].seconds[timing];
         }
+        together.rest_seconds += bits_[i].rest_seconds;
         together.length += bits_[i].length;
         together_[i - first] = together;
     }
@@ -264,20 +267,30 @@ std::size_t PieceMaker::longest(std::size_t first) {
     return first + 1;
 }
 
-// At 100 % its u is stretched until it takes as long as the curve. At twice the feed it may take longer, but
-// not less: axes may be at their limits there.
+// At 100 % its u is stretched until it takes as long as the curve. At twice the feed, and on the way to a
+// rest, it may take longer, but not less: axes may be at their limits there.
 bool PieceMaker::set_line(std::size_t first, std::size_t end, std::size_t timing, Line& line) const {
     const Together& together = together_[end - 1 - first];
     const double mean_speed = 0.5 * (bits_[first].begin_speed[0] + bits_[end - 1].end_speed[0]);
     const double length = mean_speed * together.seconds[0];
     if (timing == 0 && std::abs(length - together.length) > kMostStretch * together.length) return false;
-    line.speed = bits_[first].begin_speed[timing];
-    const double end_speed = bits_[end - 1].end_speed[timing];
-    const double seconds = 2.0 * length / (line.speed + end_speed);
-    line.half_accel = 0.5 * (end_speed - line.speed) / seconds;
-    line.inverse_length = 1.0 / length;
-    line.time_share = timing == 0 ? 1.0 : seconds / together.seconds[timing];
+    line = line_of(length, bits_[first].begin_speed[timing], bits_[end - 1].end_speed[timing],
+                   together.seconds[timing]);
+    if (timing == 0) line.time_share = 1.0;
     return timing == 0 || line.time_share >= 1.0 - kMostHaste;
+}
+
+bool PieceMaker::set_rest_line(std::size_t first, std::size_t end, Line& line) const {
+    const Together& together = together_[end - 1 - first];
+    const double mean_speed = 0.5 * (bits_[first].begin_speed[0] + bits_[end - 1].end_speed[0]);
+    line = line_of(mean_speed * together.seconds[0], std::sqrt(bits_[first].rest_speed2[0]),
+                   std::sqrt(bits_[end - 1].rest_speed2[1]), together.rest_seconds);
+    return line.time_share >= 1.0 - kMostHaste;
+}
+
+PieceMaker::Line PieceMaker::line_of(double length, double speed, double end_speed, double bits_seconds) {
+    const double seconds = 2.0 * length / (speed + end_speed);
+    return {speed, 0.5 * (end_speed - speed) / seconds, 1.0 / length, seconds / bits_seconds};
 }
 
 // Compared at the bits' middles and ends, at the instants at which the curve is there: in a bit the
@@ -290,6 +303,8 @@ bool PieceMaker::is_straight(std::size_t first, std::size_t end) {
     std::array<Line, kTimingCount> lines{};
     const bool is_one = together_[end - 1 - first].seconds[0] == together_[end - 1 - first].seconds[1];
     if (!set_line(first, end, 0, lines[0]) || (!is_one && !set_line(first, end, 1, lines[1]))) return false;
+    Line rest{};
+    if (has_rest() && !set_rest_line(first, end, rest)) return false;
     const auto raise_error = [&](const Line& line, double seconds, const Vec& at, Vec& error)
         __attribute__((always_inline)) {
         const double after = seconds * line.time_share;
@@ -300,10 +315,12 @@ bool PieceMaker::is_straight(std::size_t first, std::size_t end) {
     const auto is_near = [&](std::size_t i) __attribute__((always_inline)) {
         const Bit& bit = bits_[i];
         const Timings seconds = i > first ? together_[i - 1 - first].seconds : Timings{};
+        const double rest_seconds = i > first ? together_[i - 1 - first].rest_seconds : 0.0;
         Vec error{};
         raise_error(lines[0], seconds[0] + 0.5 * bit.seconds[0], bit.middle, error);
         raise_error(lines[0], seconds[0] + bit.seconds[0], bit.end, error);
         if (!is_one) raise_error(lines[1], seconds[1] + bit.seconds[1], bit.end, error);
+        if (has_rest()) raise_error(rest, rest_seconds + bit.rest_seconds, bit.end, error);
         return greatest_of(error) <= most_error;
     };
     // What was off a longer line is likely to be off this one.

@@ -32,7 +32,8 @@ struct PathPiece {
     Lanes bend;           ///< greatest |d2q/du2| [pulses/s^2]
     std::uint32_t point;  ///< index of the path point it reaches, or passes, or kNoPoint
     std::array<double, 2>
-        rest_speed2{};  ///< at its begin and end: of the profile that comes to rest (PathTiming)
+        rest_speed2{};   ///< at its begin and end: of the profile that comes to rest (PathTiming)
+    bool rests = false;  ///< a run ends with it, and what comes behind is another
 };
 
 /// Into how many bits of equal length a part of a cell is cut, each as good as straight: DDA segments end at
@@ -40,8 +41,8 @@ struct PathPiece {
 std::size_t bits_in(const PathCell& cell, double length);
 
 /// Cuts a timed curve into DDA segments: one from point to point where a straight line at an even
-/// acceleration stays within a quarter of a pulse of the curve at every instant, at twice the feed too, more
-/// where it does not.
+/// acceleration stays within a quarter of a pulse of the curve at every instant, at twice the feed and on the
+/// way to a rest too, more where it does not.
 class PieceMaker {
 public:
     PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::uint32_t first_point,
@@ -73,10 +74,12 @@ private:
         Timings begin_speed2;
         Timings end_speed2;
         std::array<double, 2> rest_speed2;
+        double rest_seconds;  ///< by the profile that comes to rest, if there is one
     };
     /// Bits in a row, from one that a segment begins with: how long they take together.
     struct Together {
         Timings seconds;
+        double rest_seconds;
         double length;
     };
     // So many bits are tried as one segment before a point's way is cut bit by bit.
@@ -95,6 +98,9 @@ private:
 
     std::size_t longest(std::size_t first);
     bool set_line(std::size_t first, std::size_t end, std::size_t timing, Line& line) const;
+    static Line line_of(double length, double speed, double end_speed, double bits_seconds);
+    bool set_rest_line(std::size_t first, std::size_t end, Line& line) const;
+    bool has_rest() const { return rest_begin2_ > 0.0; }
     bool is_straight(std::size_t first, std::size_t end);
     void keep_way(std::uint32_t point, Pulses4& pulses) const;
     void keep_travel(const Pulses4& from, const Pulses4& to, Pulses4& pulses) const;

@@ -45,20 +45,24 @@ StretchPlanner::StretchPlanner(const MachineLimits& limits)
     rad_per_pulse_ = rad_from_pulses(1, limits.pulses_per_rev);
 }
 
-double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
-                            std::span<const PathCorner> corners, std::size_t first, std::size_t last,
-                            std::vector<PathPiece>& pieces) {
-    spans_.resize(spans.size());
-    std::copy(spans.begin() + static_cast<std::ptrdiff_t>(first),
-              spans.begin() + static_cast<std::ptrdiff_t>(last),
+void StretchPlanner::begin_curve(const Path& path, std::size_t first, std::size_t last) {
+    spans_.resize(path.spans.size());
+    std::copy(path.spans.begin() + static_cast<std::ptrdiff_t>(first),
+              path.spans.begin() + static_cast<std::ptrdiff_t>(last),
               spans_.begin() + static_cast<std::ptrdiff_t>(first));
-    curve_.nodes = curve_nodes(limits_, points, spans_, corners, first, last, std::move(curve_.nodes));
+    curve_.nodes =
+        curve_nodes(limits_, path.points, spans_, path.corners, first, last, std::move(curve_.nodes));
     decided_.clear();
     first_node_ = 0;
-    curve_.times.is_within = fit(points);
-    time(spans);
-    if (!spans[first].is_link) bend_evenly(points, spans);
-    add_pieces(points, pieces);
+}
+
+double StretchPlanner::plan_curve(const Path& path, std::size_t first, std::size_t last,
+                                  std::vector<PathPiece>& pieces) {
+    begin_curve(path, first, last);
+    curve_.times.is_within = fit(path.points);
+    time(path.spans);
+    if (!path.spans[first].is_link) bend_evenly(path.points, path.spans);
+    add_pieces(path.points, pieces);
     return curve_.times.seconds[0];
 }
 

@@ -32,7 +32,8 @@ public:
     explicit StretchPlanner(const MachineLimits& limits);
 
     /// Points [first, last] of the path, from stop to stop. Appends to `pieces`; the result is the time that
-    /// they take at 100 % [s].
+    /// they take at 100 % [s]. Where no curve is found that keeps the tolerance, pulse by pulse, it comes to
+    /// rest in between, in points of the path: pieces say so.
     double plan(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                 std::span<const PathCorner> corners, std::size_t first, std::size_t last,
                 std::vector<PathPiece>& pieces);
@@ -41,7 +42,7 @@ public:
     /// before has ended: then at least two points come before it, as they were. The curve as far as `to` is
     /// decided for good; how the path goes on behind `last` does not matter, if that is a few dozen points
     /// later, or `to` itself, where it rests. Fills an empty part. False, and nothing decided, if no such
-    /// curve was found.
+    /// curve was found that keeps the tolerance wherever it may be cut.
     bool decide(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                 std::span<const PathCorner> corners, const DecidedPoints& at, CurvePart& part);
 
@@ -56,6 +57,20 @@ private:
         FittedTimes times;
     };
 
+    struct Path {
+        std::span<const PathPoint> points;
+        std::span<const PathSpan> spans;
+        std::span<const PathCorner> corners;
+    };
+
+    double plan_within(const Path& path, std::size_t first, std::size_t last, int divisions,
+                       std::vector<PathPiece>& pieces);
+    double plan_with_rests(const Path& path, std::size_t first, std::size_t last,
+                           std::span<const std::uint32_t> straight, int divisions,
+                           std::vector<PathPiece>& pieces);
+    double plan_straight(const Path& path, std::size_t span, std::vector<PathPiece>& pieces);
+    double plan_curve(const Path& path, std::size_t first, std::size_t last, std::vector<PathPiece>& pieces);
+    void begin_curve(const Path& path, std::size_t first, std::size_t last);
     bool go_on_from(std::uint32_t point);
     std::array<double, 4> lengths_around(std::size_t node) const;
     void take_part(std::span<const PathPoint> points, std::span<const PathSpan> spans,

@@ -26,9 +26,6 @@ constexpr double kRampParts = 4.0;
 constexpr double kRampsApart = 1.25;
 // Whole numbers of a longer line would not fit.
 constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
-// Where a curve goes on, its nodes in the way before follow from the one before that, and tubes from ways two
-// further on.
-constexpr std::size_t kPointsBefore = 6;
 // More than a window of ways can have.
 constexpr int kMostStepsAtOnce = 4096;
 // More would be no tolerance of this machine's any more; less is exact to the pulse.
@@ -208,52 +205,6 @@ void RecordProgram::come_to_rest() {
     tolerance_mm_ = 0.0;
 }
 
-// Plans what does not depend on how the way goes on.
-void RecordProgram::go_ahead() {
-    look_at_spans();
-    if (is_open_) {
-        if (const std::size_t rest = next_rest(); rest + 1 < points_.size()) return close_run(rest);
-    } else if (const std::size_t rest = plan_up_to_rests(); rest > begin_) {
-        return rest_at(rest);
-    }
-    const std::size_t to = points_.size() - 1 - kTailPoints;
-    if (decide_part(to)) return;
-    // No curve goes on within the tube: there is a rest where it has come to, or where it would have.
-    if (is_open_) return rest_where_decided();
-    plan_stretch(begin_, to);
-    rest_at(to);
-}
-
-/// The next corner that asks for a rest, or the end of what was gathered.
-std::size_t RecordProgram::next_rest() const {
-    std::size_t i = begin_ + 1;
-    while (i + 1 < points_.size() && !corners_[i - 1].is_stop) ++i;
-    return i;
-}
-
-// A run that has gone on comes to rest in this point.
-void RecordProgram::close_run(std::size_t point) {
-    CurvePart part;
-    if (stretches_->decide(points_, spans_, corners_, {begin_, point, point}, part)) {
-        part.lines = lines_of(begin_, point);
-        settle(std::move(part));
-        end_run();
-        points_[point].pulses = speeds_.end_pulses();
-        rest_at(point);
-    } else {
-        rest_where_decided();
-    }
-    if (points_.size() > 1) look_at_spans();
-}
-
-// Its curve has passed the last decided point within the tolerance: the way goes on from there.
-void RecordProgram::rest_where_decided() {
-    end_run();
-    const std::size_t next = begin_ + 1;
-    points_[begin_].pulses = speeds_.end_pulses();
-    rest_at(next < points_.size() && points_[next].pulses == points_[begin_].pulses ? next : begin_);
-}
-
 /// As far as the last corner that asks for a rest; none: begin_.
 std::size_t RecordProgram::plan_up_to_rests() {
     std::size_t first = begin_;
@@ -273,6 +224,8 @@ void RecordProgram::rest_at(std::size_t point) {
 }
 
 void RecordProgram::drop_points(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        note_gap_ways(limits_, points_[i].pulses, points_[i + 1].pulses, gap_ways_);
     points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count));
     ways_.erase(ways_.begin(), ways_.begin() + static_cast<std::ptrdiff_t>(count));
 }
@@ -282,7 +235,7 @@ void RecordProgram::look_at_spans() {
     if (!is_open_) set_limits();
     spans_ = path_spans(limits_, points_);
     for (std::size_t i = 0; i < spans_.size(); ++i) spans_[i].least_pace2 = ways_[i + 1].least_pace2;
-    corners_ = path_corners(limits_, spans_);
+    corners_ = path_corners(limits_, spans_, gap_ways_);
 }
 
 void RecordProgram::set_limits() {
@@ -293,23 +246,6 @@ void RecordProgram::set_limits() {
     if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
     planned_tolerance_mm_ = limits_.path_tolerance_mm;
     stretches_.emplace(limits_);
-}
-
-// The curve as far as this point; the part before it is settled. False: there is none.
-bool RecordProgram::decide_part(std::size_t to) {
-    CurvePart part;
-    if (!stretches_->decide(points_, spans_, corners_, {begin_, to, points_.size() - 1}, part)) return false;
-    part.lines = lines_of(begin_, to);
-    if (is_open_) {
-        settle(std::move(part));
-    } else {
-        speeds_.hold(std::move(part));
-        carries_on_ = false;
-    }
-    is_open_ = true;
-    drop_points(to - kPointsBefore);
-    begin_ = kPointsBefore;
-    return true;
 }
 
 void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
@@ -328,39 +264,26 @@ void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
     add_group(lines_of(first, last), 0);
 }
 
-void RecordProgram::settle(CurvePart part) {
-    const std::vector<std::uint64_t> lines = speeds_.held().lines;
-    pieces_.clear();
-    speeds_.settle(std::move(part), pieces_);
-    add_group(lines, carries_on_ ? cycle::kGoesOn | cycle::kCarriesOn : cycle::kGoesOn);
-    carries_on_ = true;
-}
-
-void RecordProgram::end_run() {
-    const std::vector<std::uint64_t> lines = speeds_.held().lines;
-    pieces_.clear();
-    speeds_.end(pieces_);
-    add_group(lines, carries_on_ ? cycle::kCarriesOn : 0);
-}
-
 std::vector<std::uint64_t> RecordProgram::lines_of(std::size_t first, std::size_t last) const {
     std::vector<std::uint64_t> lines;
     for (std::size_t i = first; i <= last; ++i) lines.push_back(ways_[i].line);
     return lines;
 }
 
-// The pieces as a group of blocks; `lines` by point.
+// The pieces as groups of blocks, each from rest to rest or joined to others; `lines` by point.
 void RecordProgram::add_group(std::span<const std::uint64_t> lines, unsigned joints) {
-    const std::size_t begin = blocks_.size();
+    std::size_t begin = blocks_.size();
     std::size_t point = 1;
     for (const PathPiece& piece : pieces_) {
         MotionBlock& block = blocks_.emplace_back(path_block(machine_, piece));
         block.joints = static_cast<std::uint8_t>(joints);
         set_program_line(block, lines[point]);
         if (piece.point != PathPiece::kNoPoint && piece.point + 1 < lines.size()) point = piece.point + 1;
+        if (!piece.rests && &piece != &pieces_.back()) continue;
+        blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
+        note_gaps(machine_, std::span(blocks_).subspan(begin));
+        begin = blocks_.size();
     }
-    blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
-    note_gaps(machine_, std::span(blocks_).subspan(begin));
 }
 
 MotionBlock& RecordProgram::add_block(BlockKind kind, std::uint64_t line) {

@@ -94,6 +94,7 @@ private:
     std::size_t begin_ = 0;  ///< index of that point; points before it only show where the path comes from
     bool is_open_ = false;   ///< no rest there: the part before is held in speeds_
     double tolerance_mm_ = 0.0;  ///< 0: none of its ways has one
+    GapWays gap_ways_{};         ///< of what came before the window
 
     std::optional<StretchPlanner> stretches_;  ///< for limits_
     RecedingSpeeds speeds_;

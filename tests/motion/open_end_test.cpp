@@ -111,7 +111,7 @@ private:
         return is_at_open_end() && rig_.now - last_pulse_ > kLongRest;
     }
     bool is_at_open_end() {
-        if (!rig_.executor.is_dry()) return false;
+        if (!rig_.executor.has_run_out()) return false;
         EXPECT_EQ(rig_.pulses.positions(), end_);
         if (last_rest_ != given_) ++result_.rests;
         last_rest_ = given_;
@@ -248,7 +248,7 @@ TEST(OpenEnd, ThatGoesOnInTimeShowsInNoPulse) {
         give();
         while (all_at_once && given < groups.size()) give();
         while ((rig.seen & Executor::kProgramEnd) == 0 && rig.now < 5'000'000) {
-            if (given < groups.size() && (rig.executor.runs_short() || rig.executor.is_dry())) give();
+            if (given < groups.size() && (rig.executor.runs_short() || rig.executor.has_run_out())) give();
             rig.tick();
         }
         std::vector<std::uint64_t> ticks;

@@ -156,6 +156,34 @@ TEST(ProgramHorizon, GoesNoFasterThanThePartAheadCanStop) {
     EXPECT_TRUE(is_bound);
 }
 
+// On a straight way there is nothing but the braking: none of the three profiles asks more of a motor than it
+// has, however the ways' own speeds are cut into segments.
+TEST(ProgramHorizon, BrakesToItsRestsWithinWhatTheAxesHave) {
+    double worst = 0.0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        std::mt19937_64 random{seed};
+        Script script{kStartPulses};
+        for (int i = 0; i < 3000; ++i) {
+            const auto pulses = static_cast<std::int64_t>(20 + random() % 60);
+            const double pace_s =
+                random() % 3 == 0 ? 0.0 : 0.0003 + 2e-5 * static_cast<double>(random() % 200);
+            script.way({0, 0, pulses, 0}, 0.02, pace_s * static_cast<double>(pulses));
+        }
+        script.end();
+        const Groups all = groups_of(program_blocks(script.steps));
+        ASSERT_EQ(all.runs, 1);
+        for (const auto& group : all.groups) {
+            if ((group.front().joints & cycle::kGoesOn) == 0) continue;
+            for (const MotionBlock& block : group) {
+                const auto& rest2 = block.path.rest_speed2;
+                const double brake = 0.5 * std::abs(rest2[1] - rest2[0]) / block.path.length;
+                worst = std::max(worst, brake / block.path.accel_free[kPsi]);
+            }
+        }
+    }
+    EXPECT_LE(worst, 1.0);
+}
+
 TEST(ProgramHorizon, GoesOnWhereYBeginsToMove) {
     for (const std::size_t planar : {400U, 1500U}) {
         Script script = dense_program(5, 3000, 0b0101);
@@ -218,6 +246,22 @@ TEST(ProgramHorizon, CrossesGapsAtRestAlone) {
         all_joined += joined;
     }
     EXPECT_GT(all_joined, 12);
+}
+
+// How the axis stands in its gap is known, however long ago it moved.
+TEST(ProgramHorizon, GoesOnWhereAnAxisWithBacklashGoesOnTheSameWay) {
+    Profile profile;
+    profile.r1.backlash_mm = 0.02;
+    const auto runs_of = [&profile](std::int64_t second_way) {
+        Script script{kStartPulses};
+        for (int i = 0; i < 2600; ++i) {
+            const std::int64_t out = i < 100 ? 1 : i < 1700 ? 0 : second_way;
+            script.way({out, 0, 20, 0}, 0.02);
+        }
+        return groups_of(program_blocks(script.end().steps, false, profile)).runs;
+    };
+    EXPECT_EQ(runs_of(1), 1);
+    EXPECT_EQ(runs_of(-1), 2);
 }
 
 TEST(ProgramHorizon, MakesTheSameBlocksWheneverItsStepsCome) {

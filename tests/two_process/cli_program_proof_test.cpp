@@ -2,7 +2,9 @@
 // The pulses of a program hang on the program alone: not on the ring, on its writer's pauses, on an operator.
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
+#include "tests/places.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/program_proof_rig.hpp"
 
@@ -82,6 +84,39 @@ TEST_F(SamePulses, KeepTheirOrderUnderHoldsAndOverridesAtRandomInstants) {
         ASSERT_GT(plain.size(), 1'000U);
         EXPECT_TRUE(order == plain) << "run " << disturbed << ", " << holds << " holds";
         EXPECT_TRUE(disturbed == 0 || holds > 0);
+    }
+}
+
+class StandardStreams : public ProgramProof {
+protected:
+    static int shell(const std::string& words) { return WEXITSTATUS(std::system(words.c_str())); }
+    std::string psicarve_words(const std::string& words) const {
+        return in_build("bin/psicarve") + " " + words + " --segment " + segment_;
+    }
+};
+
+// What is said to nobody is not written into the segment, which would get the descriptor's number.
+TEST_F(StandardStreams, ThatAreClosedLeaveTheSegmentAsItIs) {
+    start_homed();
+    for (const char* closed : {" <&-", " >&-", " 2>&-", " <&- >&- 2>&-"}) {
+        for (const char* words : {"status", "status --json", "move r1=99999", "gcode run -"})
+            (void)shell(psicarve_words(words) + " > /dev/null 2> /dev/null" + closed);
+        EXPECT_EQ(state(), MachineState::ready) << closed;
+    }
+    EXPECT_EQ(run({"move", "r1=50"}).exit_code, 0);
+}
+
+// A shell hands its own writing end down to what it starts: whose input would never end then.
+TEST_F(StandardStreams, EndWhereTheShellHasClosedItsEndOfAPipe) {
+    start_homed();
+    const std::string pipe = file("pipe");
+    const std::string program = "printf 'G21 G90 F300\\nG0 X50\\n'";
+    for (const char* words : {"gcode run -", "gcode check - --no-machine"}) {
+        const std::string script = "rm -f " + pipe + "; mkfifo " + pipe + "; exec 9<>" + pipe + "; " +
+                                   psicarve_words(words) + " < " + pipe + " 2> " + file("said") + " & " +
+                                   program + " >&9; exec 9>&-; wait $!";
+        EXPECT_EQ(shell(script), 3) << words;
+        EXPECT_NE(text_of(file("said")).find("no_end"), std::string::npos) << text_of(file("said"));
     }
 }
 

@@ -4,8 +4,10 @@
 
 #include "hmi/ui/program.hpp"
 #include "shared/base/printable.hpp"
+#include "shared/computer/standard_descriptors.hpp"
 
 int main(int argc, char** argv) {
+    psicarve::keep_standard_descriptors_taken();
     try {
         return psicarve::ui::run(argc, argv);
     } catch (const std::exception& error) {

@@ -4,8 +4,11 @@
 
 #include "hmi/cli/program.hpp"
 #include "shared/base/printable.hpp"
+#include "shared/computer/standard_descriptors.hpp"
 
 int main(int argc, char** argv) {
+    psicarve::keep_standard_descriptors_taken();
+    psicarve::close_writing_ends_of_standard_input();
     try {
         return psicarve::cli::run(argc, argv);
     } catch (const std::exception& error) {

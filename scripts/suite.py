@@ -47,6 +47,8 @@ EXACT = [
     r"^CarvingMutation\.",
     r"^SegmentDeath\.",
     r"^OperatorDeath\.",
+    r"^SamePulses\.",
+    r"^WriterDeath\.",
     r"^CoreGuard\.",
 ]
 SANITIZER_VARIABLES = ["ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"]

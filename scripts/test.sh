@@ -9,7 +9,8 @@ logs="$root/build/logs"
 all_parts="format dev tsan asan fuzz tidy"
 suite_parts="dev tsan asan"  # one suite, in this order where the time is short
 extra_parts="analyse"
-fuzz_runs=8000  # of each target
+fuzz_runs=8000  # of each target, but of record_fuzz, each of whose inputs runs a machine:
+record_fuzz_runs=500
 most_flaky=2    # tests of a run that may fail and then pass
 slices=3        # of the suite under AddressSanitizer, where less time than this is left:
 whole_suite_s=1800
@@ -223,6 +224,7 @@ fuzz_one() {
     name=$(basename "$target")
     # What it finds goes to the first folder.
     local corpora=("$folder/found/$name") limit=(-seed=1 "-runs=$fuzz_runs")
+    if [[ $name == record_fuzz ]]; then limit=(-seed=1 "-runs=$record_fuzz_runs"); fi
     if [[ -n ${PSICARVE_FUZZ_SECONDS-} ]]; then
         corpora=("$folder/corpus/$name")
         limit=("-max_total_time=$PSICARVE_FUZZ_SECONDS")

@@ -15,6 +15,7 @@
 #include "shared/segment/segment_program.hpp"
 #include "tests/shared/record_fixture.hpp"
 #include "tests/shared/segment_fixture.hpp"
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/child_process.hpp"
 
 namespace psicarve {
@@ -26,6 +27,7 @@ using program::RecordIntake;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using test::ChildProcess;
+using test::is_long_run;
 using test::numbered_record;
 
 constexpr milliseconds kPatience{60'000};
@@ -141,11 +143,11 @@ TEST_P(ProgramRingOf, TwoHundredThousandCrossInOrderWhateverPausesEitherMakes) {
 }
 
 // Of each instant: stopped is not dead, killed is; what was put before arrives; the next one can write.
-TEST_F(ProgramRing, AWriterKilledOrStoppedAtAHundredInstantsLosesNothingThatItPut) {
+TEST_F(ProgramRing, AWriterKilledOrStoppedAtRandomInstantsLosesNothingThatItPut) {
     make_segment(64);
     std::mt19937 random{20261127};
     std::uint64_t in_all = 0;
-    for (int round = 0; round < 100; ++round) {
+    for (int round = 0; round < (is_long_run() ? 300 : 100); ++round) {
         ChildProcess writer{write(kEndless, 40)};
         std::optional<RecordIntake> intake = open();
         ASSERT_TRUE(intake.has_value());

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pulses of a program hang on the program alone: not on the ring, on its writer's pauses, on an operator.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/places.hpp"
+#include "tests/thoroughness.hpp"
+#include "tests/two_process/program_proof_rig.hpp"
+
+namespace psicarve::test {
+namespace {
+
+class SamePulses : public ProgramProof {
+protected:
+    /// The whole trace, of a writer that is stopped at `pauses` random instants.
+    std::string trace_through(const std::string& text, const std::string& ring, int pauses) {
+        const std::string trace = file("ring.trace");
+        start_homed({"--trace", trace, "--program-ring", ring});
+        const auto writer = begin(text);
+        for (int n = 0; n < pauses && !writer->has_ended(); ++n) {
+            std::this_thread::sleep_for(std::chrono::microseconds{random_() % 4'000});
+            writer->send(SIGSTOP);
+            std::this_thread::sleep_for(std::chrono::microseconds{random_() % 12'000});
+            writer->send(SIGCONT);
+        }
+        EXPECT_EQ(writer->wait(), 0) << writer->error();
+        EXPECT_EQ(program_status().starvations, 0U);
+        end_core();
+        return text_of(trace);
+    }
+
+    std::mt19937 random_{20261127};
+};
+
+TEST_F(SamePulses, GoThroughRingsOfAnySizeAndWhateverPausesTheirWriterMakes) {
+    const std::string text = dense_program(is_long_run() ? 100'000 : kIsSanitized ? 2'000 : 6'000);
+    const std::string through_the_least = trace_through(text, "64", 0);
+    EXPECT_GT(through_the_least.size(), 10'000U);
+    EXPECT_TRUE(through_the_least == trace_through(text, "65536", 0));
+    EXPECT_TRUE(through_the_least == trace_through(text, "64", is_long_run() ? 300 : 30));
+    EXPECT_TRUE(through_the_least == trace_through(text, "65536", is_long_run() ? 300 : 30));
+}
+
+// While, repeat and subroutines on a machine, beside the ways that they come to, one by one.
+TEST_F(SamePulses, AreThoseOfALoopsPassesWrittenOut) {
+    std::string written_out = "G21 G90 F600\nG0 X50 Z50 Y10 C0\n";
+    for (int round = 0; round < 4; ++round) {
+        for (int pass = 0; pass < 3; ++pass) written_out += "G91 G1 X-0.2 C5\nY0.1\nG90\n";
+        written_out += "G1 X50 C0\nG1 Y10." + std::to_string(round) + "\n";
+    }
+    written_out += "M2\n";
+    const std::string loops =
+        "G21 G90 F600\nG0 X50 Z50 Y10 C0\no1 sub\no2 repeat [#1]\nG91 G1 X-0.2 C5\nY0.1\nG90\no2 endrepeat\n"
+        "o1 endsub\n#3=0\no3 while [#3 LT 4]\no1 call [3]\nG1 X50 C0\nG1 Y[10+#3/10]\n#3=[#3+1]\n"
+        "o3 endwhile\nM2\n";
+    const std::string plain = trace_through(written_out, "64", 0);
+    EXPECT_GT(plain.size(), 1'000U);
+    EXPECT_TRUE(plain == trace_through(loops, "64", 0));
+}
+
+TEST_F(SamePulses, KeepTheirOrderUnderHoldsAndOverridesAtRandomInstants) {
+    const std::string text = dense_program(3'000);
+    std::vector<std::uint8_t> plain;
+    const int runs = is_long_run() ? 20 : 1;
+    for (int disturbed = 0; disturbed <= runs; ++disturbed) {
+        start_homed({"--trace", file("hand.trace")});
+        const auto writer = begin(text);
+        ASSERT_TRUE(eventually([&] { return program_status().line > 3; }));
+        int holds = 0;
+        while (disturbed > 0 && program_status().is_done == 0) {
+            ASSERT_TRUE(command(CommandKind::override, 10.0 + static_cast<double>(random_() % 191)));
+            if (command(CommandKind::hold)) {
+                ++holds;
+                // Slowing down; what comes too early is refused.
+                ASSERT_TRUE(eventually([&] { return command(CommandKind::resume); }));
+            }
+            std::this_thread::sleep_for(std::chrono::microseconds{random_() % 3'000});
+        }
+        EXPECT_EQ(writer->wait(), 0) << writer->error();
+        end_core();
+        const auto order = order_of_trace(file("hand.trace"));
+        if (disturbed == 0) plain = order;
+        ASSERT_GT(plain.size(), 1'000U);
+        EXPECT_TRUE(order == plain) << "run " << disturbed << ", " << holds << " holds";
+        EXPECT_TRUE(disturbed == 0 || holds > 0);
+    }
+}
+
+class StandardStreams : public ProgramProof {
+protected:
+    static int shell(const std::string& words) { return WEXITSTATUS(std::system(words.c_str())); }
+    std::string psicarve_words(const std::string& words) const {
+        return in_build("bin/psicarve") + " " + words + " --segment " + segment_;
+    }
+};
+
+// What is said to nobody is not written into the segment, which would get the descriptor's number.
+TEST_F(StandardStreams, ThatAreClosedLeaveTheSegmentAsItIs) {
+    start_homed();
+    for (const char* closed : {" <&-", " >&-", " 2>&-", " <&- >&- 2>&-"}) {
+        for (const char* words : {"status", "status --json", "move r1=99999", "gcode run -"})
+            (void)shell(psicarve_words(words) + " > /dev/null 2> /dev/null" + closed);
+        EXPECT_EQ(state(), MachineState::ready) << closed;
+    }
+    EXPECT_EQ(run({"move", "r1=50"}).exit_code, 0);
+}
+
+// A shell hands its own writing end down to what it starts: whose input would never end then.
+TEST_F(StandardStreams, EndWhereTheShellHasClosedItsEndOfAPipe) {
+    start_homed();
+    const std::string pipe = file("pipe");
+    const std::string program = "printf 'G21 G90 F300\\nG0 X50\\n'";
+    for (const char* words : {"gcode run -", "gcode check - --no-machine"}) {
+        const std::string script = "rm -f " + pipe + "; mkfifo " + pipe + "; exec 9<>" + pipe + "; " +
+                                   psicarve_words(words) + " < " + pipe + " 2> " + file("said") + " & " +
+                                   program + " >&9; exec 9>&-; wait $!";
+        EXPECT_EQ(shell(script), 3) << words;
+        EXPECT_NE(text_of(file("said")).find("no_end"), std::string::npos) << text_of(file("said"));
+    }
+}
+
+}  // namespace
+}  // namespace psicarve::test

@@ -35,7 +35,7 @@ Result<CoreStatus> run_motion(machine::MachineLink& link, const MotionCommand& c
     message.kind = command.kind;
     if (command.axis) message.axis = static_cast<std::uint32_t>(index_of(*command.axis));
     if (const auto sent = link.send(message); !sent) return sent.error();
-    if (command.wanted.empty()) return link.status();
+    if (command.wanted.empty()) return link.status_after_answer();
     ProgressBar bar{std::string{name_of(command.kind)}};
     const auto watch = [&](const CoreStatus& status) -> Result<void> {
         bar.update(0.0, std::string{name_of(status.state)});

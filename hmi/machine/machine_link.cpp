@@ -14,12 +14,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPoll{10};
-// One status may have been sampled before the core saw our command and be written after it; the next one is
-// new.
-constexpr std::uint64_t kFreshAfter = 2;
 
 std::uint64_t heartbeat_of(const std::optional<CoreStatus>& status) {
     return status ? status->heartbeat : 0;
+}
+
+bool is_among(const std::vector<MachineState>& wanted, MachineState state) {
+    return std::find(wanted.begin(), wanted.end(), state) != wanted.end();
 }
 
 /// At rest, and no command under way will change that.
@@ -72,6 +73,12 @@ std::optional<CoreStatus> MachineLink::last_status() const noexcept {
     auto status = read_record(segment_.header().status);
     if (!status || status->heartbeat == 0) return std::nullopt;
     return status;
+}
+
+std::optional<CoreStatus> MachineLink::status_of_ended_core() const noexcept {
+    // A core that dies keeps its name in the segment; one that ends takes it away after its last status.
+    if (segment_.glance_at_core() || segment_.header().core.pid.load() != 0) return std::nullopt;
+    return last_status();
 }
 
 std::string MachineLink::port_name() const {
@@ -130,6 +137,13 @@ Result<std::uint64_t> MachineLink::publish(std::span<const std::byte> job_blob) 
     return generation;
 }
 
+Result<CoreStatus> MachineLink::status_after_answer() {
+    auto next = status();
+    if (next) return next;
+    if (const auto last = status_of_ended_core()) return *last;
+    return next;
+}
+
 Result<CoreStatus> MachineLink::wait_for_state(const std::vector<MachineState>& wanted,
                                                const StatusWatch& watch) {
     auto last_change = Clock::now();
@@ -138,12 +152,17 @@ Result<CoreStatus> MachineLink::wait_for_state(const std::vector<MachineState>& 
         const auto status = next_status(heartbeat);
         if (heartbeat_of(status) != heartbeat) last_change = Clock::now();
         heartbeat = heartbeat_of(status);
-        if (!core_pid() || Clock::now() - last_change > kSilenceLimit) return silent_core();
+        if (!core_pid()) {
+            const auto last = status_of_ended_core();
+            if (last && is_among(wanted, last->state)) return *last;
+            return silent_core();
+        }
+        if (Clock::now() - last_change > kSilenceLimit) return silent_core();
         if (!status) continue;
         if (watch) {
             if (const auto go_on = watch(*status); !go_on) return go_on.error();
         }
-        if (std::find(wanted.begin(), wanted.end(), status->state) != wanted.end()) return *status;
+        if (is_among(wanted, status->state)) return *status;
         if (status->state == MachineState::alarm) return alarm_error(*status);
         if (is_dead_end(status->state)) {
             return error_from(ErrorCode::machine_refused,
@@ -158,9 +177,13 @@ Result<CoreStatus> MachineLink::wait_after_stop(const std::vector<MachineState>&
     auto last_motion = Clock::now();
     while (true) {
         auto now_there = status();
-        if (!now_there) return now_there;
+        if (!now_there) {
+            const auto last = status_of_ended_core();
+            if (last && is_among(wanted, last->state)) return *last;
+            return now_there;
+        }
         const MachineState state = now_there->state;
-        if (std::find(wanted.begin(), wanted.end(), state) != wanted.end()) return now_there;
+        if (is_among(wanted, state)) return now_there;
         const auto now = Clock::now();
         if (!is_at_rest(state)) last_motion = now;
         if (now - last_motion > rest_limit) {

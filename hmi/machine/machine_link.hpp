@@ -55,6 +55,8 @@ public:
     bool is_of_published_job(const Checkpoint& checkpoint) const noexcept;
     /// A status that the living core wrote after this call began. no_core when none serves or it is silent.
     Result<CoreStatus> status();
+    /// The last status of the core that has ended in order. Nothing where one serves, or died.
+    std::optional<CoreStatus> status_of_ended_core() const noexcept;
 
     /// Sends one command and waits for the answer: done, or the core's reason (machine_refused).
     Result<void> send(CommandKind kind, std::optional<Axis> axis = {});
@@ -69,12 +71,16 @@ public:
     /// What the core wants to be known of the job that it has accepted; mostly nothing.
     std::vector<Message> job_remarks() const { return psicarve::job_remarks(segment_); }
 
+    /// After a command's answer: the next status, or the last one of a core that has done the command and has
+    /// ended in order since, as one does that serves a single run.
+    Result<CoreStatus> status_after_answer();
     /// After a command's answer: waits for one of `wanted`, as long as it takes. Ends early with an error
     /// when the core is gone or silent (no_core), in alarm or at rest in another state (machine_refused), or
-    /// when `watch` returns one.
+    /// when `watch` returns one. A core that ends in order in one of `wanted` has reached it.
     Result<CoreStatus> wait_for_state(const std::vector<MachineState>& wanted, const StatusWatch& watch = {});
     /// After stop or emergency stop, which have no answer: waits for one of `wanted`, no longer than
-    /// `rest_limit` (timed_out) while the machine rests in another state.
+    /// `rest_limit` (timed_out) while the machine rests in another state. A core that ends in order in one of
+    /// `wanted` has reached it.
     Result<CoreStatus> wait_after_stop(const std::vector<MachineState>& wanted,
                                        std::chrono::milliseconds rest_limit);
 

@@ -21,6 +21,8 @@ namespace {
 /// A core on the virtual clock, homed, and programs for it.
 class RunProgram : public Machine {
 protected:
+    /// Of it the core soon has run what it was given, once nobody gives it more.
+    static constexpr const char* kSmallRing = "256";
     void start_homed(const std::vector<std::string>& more = {}) {
         start_core(more);
         ASSERT_EQ(run({"home"}).exit_code, 0);
@@ -219,7 +221,7 @@ TEST_F(RunProgram, RefusesASecondWriterAndNamesTheFirst) {
 
 // What the core has is run; then it stands on the path, spindle on, until somebody decides.
 TEST_F(RunProgram, HoldsWhereItsReaderWasKilled) {
-    start_homed();
+    start_homed({"--program-ring", kSmallRing});
     const auto running = begin({program(long_program(400'000))});
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving && program_status().line > 3; }));
     running->send(SIGKILL);
@@ -313,7 +315,7 @@ TEST_F(RunProgram, ReadsNoFileThatItCouldReadOnlyOnce) {
 
 // What is changed under it is not run, what was read before is.
 TEST_F(RunProgram, EndsWhereItsFileIsChanged) {
-    start_homed();
+    start_homed({"--program-ring", kSmallRing});
     const std::string path = program(long_program(400'000));
     const auto running = begin({path});
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving && program_status().line > 3; }));

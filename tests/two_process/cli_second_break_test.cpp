@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <random>
 
+#include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
 
 namespace psicarve::test {
@@ -11,7 +12,8 @@ TEST_F(Machine, ASecondBreakAtAnyInstantLeavesTheReportAndTheWholeTrace) {
     std::mt19937 random{20261126};
     std::uniform_int_distribution<int> pause_ms{0, 300};
     const std::string job_path = long_job();
-    for (int round = 0; round < 10; ++round) {
+    const int rounds = is_thorough() ? 10 : 4;
+    for (int round = 0; round < rounds; ++round) {
         RunningProgram carve{
             "psicarve", {"carve", job_path, "--segment", segment_, "--json", "--trace", file("pins.trace")}};
         ASSERT_TRUE(makes_it_carve(carve));

@@ -23,7 +23,8 @@ namespace {
 using std::chrono::milliseconds;
 using test::ChildProcess;
 
-/// A process that serves a segment: writes a status again and again, answers every command by `act`.
+/// A process that serves a segment: writes a status again and again, answers every command by `act`. Ends in
+/// order once it has answered the command back_off.
 class ScriptedCore {
 public:
     using Act = std::function<Message(const Command&, CoreStatus&)>;  // why it is refused, or none
@@ -46,6 +47,7 @@ public:
                       write(*segment, status);
                       answer_command(*segment, *command,
                                      why.is_none() ? AnswerKind::done : AnswerKind::refused, why);
+                      if (command->command.kind == CommandKind::back_off) break;
                   }
                   if (segment->header().stop_requests.load() > 0) status.state = MachineState::ready;
                   write(*segment, status);
@@ -53,6 +55,8 @@ public:
                   is_serving = true;
                   std::this_thread::sleep_for(milliseconds{2});
               }
+              write(*segment, status);
+              segment->release_core();
           }) {
         EXPECT_TRUE(child_.wait_for_signal());
     }
@@ -78,6 +82,11 @@ protected:
         auto link = MachineLink::attach(name_);
         EXPECT_TRUE(link.has_value()) << link.error().message;
         return std::move(link).value();
+    }
+    /// A command that is answered by a core that has ended when this returns.
+    static void send_last(MachineLink& link) {
+        ASSERT_TRUE(link.send(CommandKind::back_off).has_value());
+        while (link.core_pid()) std::this_thread::sleep_for(milliseconds{1});
     }
     static ScriptedCore::Act goes_to(MachineState state) {
         return [state](const Command&, CoreStatus& status) {
@@ -183,6 +192,33 @@ TEST_F(MachineLinkTest, ACoreThatDiesEndsAWait) {
     // What it left behind can still be read.
     EXPECT_EQ(sut.last_status()->state, MachineState::carving);
     EXPECT_FALSE(sut.core_pid().has_value());
+}
+
+// As the one of a simulated run, whose end may come before the sender of a command looks again.
+TEST_F(MachineLinkTest, ACommandIsDoneThoughItsCoreHasEndedInOrderSince) {
+    ScriptedCore core{name_, MachineState::held, goes_to(MachineState::ready)};
+    MachineLink sut = attached();
+    send_last(sut);
+    const auto status = sut.status_after_answer();
+    ASSERT_TRUE(status.has_value()) << status.error().message;
+    EXPECT_EQ(status->state, MachineState::ready);
+    EXPECT_EQ(sut.status().error().code, ErrorCode::no_core);
+    EXPECT_TRUE(sut.wait_for_state({MachineState::ready}).has_value());
+    EXPECT_TRUE(sut.wait_after_stop({MachineState::ready}, milliseconds{5000}).has_value());
+    EXPECT_EQ(sut.wait_for_state({MachineState::carving}).error().code, ErrorCode::no_core);
+    EXPECT_EQ(sut.wait_after_stop({MachineState::alarm}, milliseconds{5000}).error().code,
+              ErrorCode::no_core);
+}
+
+TEST_F(MachineLinkTest, ACommandOfACoreThatHasDiedSinceIsNotKnownToBeDone) {
+    ScriptedCore core{name_, MachineState::held, goes_to(MachineState::ready)};
+    MachineLink sut = attached();
+    ASSERT_TRUE(sut.send(CommandKind::resume).has_value());
+    core.process().kill();
+    EXPECT_EQ(sut.status_after_answer().error().code, ErrorCode::no_core);
+    EXPECT_EQ(sut.wait_for_state({MachineState::ready}).error().code, ErrorCode::no_core);
+    EXPECT_EQ(sut.wait_after_stop({MachineState::ready}, milliseconds{5000}).error().code,
+              ErrorCode::no_core);
 }
 
 TEST_F(MachineLinkTest, ACoreThatStandsStillIsSilent) {

@@ -13,7 +13,6 @@
 #include "shared/base/units.hpp"
 #include "shared/profile/profile_text.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
-#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -48,9 +47,7 @@ protected:
     }
     void save_picture(const char* name) {
         QApplication::processEvents();
-        part<QDialog>("calibration_dialog")
-            .grab()
-            .save(QString::fromStdString(in_build("screenshots/")) + name);
+        test::keep_picture(part<QDialog>("calibration_dialog"), name);
     }
 };
 
@@ -80,7 +77,7 @@ TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
     EXPECT_EQ(text("calibrate_0_outcome"), "the diameter of the pin is needed");
     type("calibrate_0_diameter", "25.4");
     EXPECT_EQ(text("calibrate_0_outcome"), "axis.r1.tip_offset_mm: 0.0 → 0.20000");
-    save_picture("calibration_touch_off_light.png");
+    save_picture("calibration_touch_off_light");
     EXPECT_FALSE(button("calibrate_back").isEnabled());
     ASSERT_TRUE(click("calibrate_next"));
     ASSERT_TRUE(click("calibrate_1_here"));
@@ -102,7 +99,7 @@ TEST_F(Calibration, AsksStepByStepAndWritesTheProfileWithABackup) {
     EXPECT_EQ(changes.item(0, 0)->text(), "axis.r1.tip_offset_mm");
     EXPECT_EQ(changes.item(0, 1)->text(), "0.0");
     EXPECT_EQ(changes.item(0, 2)->text(), "0.20000");
-    save_picture("calibration_changes_light.png");
+    save_picture("calibration_changes_light");
     for (const char* name : {"calibrate_close", "calibrate_back", "calibrate_write"}) {
         EXPECT_EQ(button(name).height(), button("calibrate_back").height()) << name;
         EXPECT_GT(button(name).width(),

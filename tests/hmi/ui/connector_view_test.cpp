@@ -7,7 +7,6 @@
 
 #include "hmi/profile/pin_rows.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
-#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -38,7 +37,7 @@ TEST_F(Connector, RingsThePinOfASwitchThatStopsTheMachine) {
     sut_.show_levels(bit_of(Signal::r2_limit));
     const int one = alarm_pixels();
     EXPECT_GT(one, 50);
-    sut_.grab().save(QString::fromStdString(in_build("screenshots/connector_light.png")));
+    test::keep_picture(sut_, "connector_light");
     sut_.show_levels(bit_of(Signal::r2_limit) | bit_of(Signal::y_limit));
     EXPECT_GT(alarm_pixels(), one + 50);
 }

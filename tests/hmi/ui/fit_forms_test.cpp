@@ -88,8 +88,7 @@ TEST_P(Fit, InTheListOfKeys) {
     EXPECT_LE(sut.width(), size().width());
     EXPECT_LE(sut.height(), size().height());
     for (const std::string& misfit : test::misfits(sut)) ADD_FAILURE() << misfit;
-    sut.grab().save(
-        QString::fromStdString(in_build("screenshots/fit_%1_%2_keys.png")).arg(code()).arg(size().width()));
+    test::keep_picture(sut, QString{"fit_%1_%2_keys"}.arg(code(), QString::number(size().width())));
     const auto words_of = [&sut](const char* list) {
         QStringList all;
         for (const QLabel* label : sut.findChild<QWidget*>(list)->findChildren<QLabel*>())

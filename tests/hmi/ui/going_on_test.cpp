@@ -16,7 +16,6 @@
 #include "shared/segment/checkpoint.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
-#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -202,7 +201,7 @@ TEST_F(GoingOn, BeginsAnewOnlyOnceItWasAsked) {
             auto& box = dynamic_cast<QMessageBox&>(dialog);
             question = box.text();
             picture = box.iconPixmap().size();
-            box.grab().save(QString::fromStdString(in_build("screenshots/anew_question_light.png")));
+            test::keep_picture(box, "anew_question_light");
             QTest::mouseClick(dialog.findChild<QAbstractButton*>(name), Qt::LeftButton);
         };
     };

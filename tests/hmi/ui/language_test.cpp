@@ -227,9 +227,7 @@ TEST_P(Languages, TellWhatTheToolWillLeave) {
     ASSERT_TRUE(comes_true(told));
     const QString code = QLatin1String(kLanguages[static_cast<std::size_t>(GetParam())].code);
     take_picture("expected_piece_" + code);
-    part<QDialog>("model_report")
-        .grab()
-        .save(QString::fromStdString(in_build("screenshots/model_report_")) + code + ".png");
+    test::keep_picture(part<QDialog>("model_report"), "model_report_" + code);
     expect_nothing_cut_off();
     EXPECT_GE(facts.height(), facts.heightForWidth(facts.width()));
     for (const QLabel* label : report.findChildren<QLabel*>()) {

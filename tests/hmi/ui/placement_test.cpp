@@ -197,9 +197,7 @@ TEST_F(PlacedModel, IsReportedAsInTheCommandLine) {
     EXPECT_TRUE(comes_true([&] { return report().contains("More than 0.1 mm on "); }))
         << report().toStdString();
     EXPECT_FALSE(report().contains("…")) << report().toStdString();
-    part<QDialog>("model_report")
-        .grab()
-        .save(QString::fromStdString(in_build("screenshots/model_report.png")));
+    test::keep_picture(part<QDialog>("model_report"), "model_report");
     window_->open(QString::fromStdString(example("small.stl")));
     EXPECT_TRUE(comes_true([&] { return report().startsWith("small.stl"); })) << report().toStdString();
 }

@@ -13,7 +13,6 @@
 #include "shared/record/saved_checkpoint.hpp"
 #include "shared/segment/checkpoint.hpp"
 #include "tests/hmi/ui/hands_rig.hpp"
-#include "tests/places.hpp"
 
 namespace psicarve::ui {
 namespace {
@@ -51,8 +50,7 @@ protected:
     Answer answers(const char* name) {
         return [this, name](QDialog& dialog) {
             question_ = dynamic_cast<QMessageBox&>(dialog).text();
-            dialog.grab().save(QString::fromStdString(
-                in_build("screenshots/" + dialog.objectName().toStdString() + "_light.png")));
+            test::keep_picture(dialog, dialog.objectName() + "_light");
             QTest::mouseClick(dialog.findChild<QAbstractButton*>(name), Qt::LeftButton);
         };
     }

@@ -53,7 +53,7 @@ protected:
     void show_page(int index) { window_->findChild<QTabWidget*>()->setCurrentIndex(index); }
     std::int64_t pulses(Axis axis) { return machine_view().status->position_pulses[index_of(axis)]; }
     void save_picture_of(const char* dialog, const char* name) {
-        part<QDialog>(dialog).grab().save(QString::fromStdString(in_build("screenshots/")) + name);
+        test::keep_picture(part<QDialog>(dialog), name);
     }
     CompareTool& compare_tool() { return static_cast<CompareTool&>(part<QObject>("compare_tool")); }
     PortsPage& ports() { return *static_cast<PortsPage*>(&part<QWidget>("ports_page")); }
@@ -86,7 +86,7 @@ TEST_F(Tools, GoToAPositionStraightAndOnAnArcAndSayWhatIsInTheWay) {
     part<QDoubleSpinBox>("move_to_y").setValue(30.0);
     part<QDoubleSpinBox>("move_centre_r1").setValue(20.0);
     part<QDoubleSpinBox>("move_centre_y").setValue(20.0);
-    save_picture_of("move_dialog", "go_to_light.png");
+    save_picture_of("move_dialog", "go_to_light");
     ASSERT_TRUE(click("move_go"));
     ASSERT_TRUE(comes_true([&] { return pulses(Axis::y) == 12000 && machine_view().state() == S::ready; }))
         << all_messages().toStdString();
@@ -374,7 +374,7 @@ TEST_F(Tools, CompareTwoSnapshotsSideBySide) {
     EXPECT_EQ(table.item(0, 0)->text(), "layers");
     EXPECT_EQ(table.item(0, 1)->text(), "3");
     EXPECT_EQ(table.item(0, 2)->text(), "4");
-    save_picture_of("differences", "differences_light.png");
+    save_picture_of("differences", "differences_light");
     button("differences_close").click();
     ASSERT_TRUE(comes_true([&] { return window_->findChild<QDialog*>("differences") == nullptr; }));
     compare_tool().compare(file("one.psi"), file("one.psi"));

@@ -138,7 +138,7 @@ TEST_F(WindowOnCore, KeepsALogSavesABundleAndReportsTheRun) {
     ASSERT_TRUE(click("report_button"));
     auto* const report = static_cast<ReportDialog*>(window_->findChild<QDialog*>("report"));
     ASSERT_NE(report, nullptr);
-    report->grab().save(QString::fromStdString(in_build("screenshots/report_light.png")));
+    test::keep_picture(*report, "report_light");
     report->save(QString::fromStdString(file("report.json")));
     ASSERT_TRUE(comes_true([&] { return all_messages().contains("report.json"); }))
         << all_messages().toStdString();

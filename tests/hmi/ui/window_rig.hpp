@@ -24,6 +24,10 @@ public:
     KeptSettings() : WindowSettings(store) {}
 };
 
+/// Draws a widget, and keeps the picture in the build folder, to be looked at, where PSICARVE_PICTURES asks
+/// for it or the test has failed: to write one takes longer than most of what a test does.
+void keep_picture(QWidget& widget, const QString& name);
+
 /// A window on a segment of its own, without a screen, with settings of its own.
 class WindowRig : public two_process::CoreRig {
 protected:
@@ -65,7 +69,7 @@ protected:
     void publish_job(const JobTable& table);
     /// Publishes it, homes, starts.
     void carve_job(const JobTable& table);
-    /// Into the build folder, to be looked at.
+    /// keep_picture() of the window.
     void take_picture(const QString& name);
 
     std::unique_ptr<MainWindow> window_;

@@ -43,6 +43,7 @@ Interpreter::Fault Interpreter::move() {
     if (motion_to_be_ == kNoCode) return std::nullopt;
     const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
     if (!is_arc && !is_cycle(motion_to_be_) && words_.axes() == 0) return std::nullopt;
+    if (!is_drawing(DrawnMode::none)) return draw();
     if (is_cycle(motion_to_be_)) {
         if (words_.axes() == 0)
             return fault(words_.column(CodeGroup::motion), ProblemCode::axes_missing,
@@ -158,7 +159,7 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, const F
     machine_ = machine;
     start_placed_ = placed_;
     moved.end = machine_;
-    ++motion_count_;
+    if (!moved.ends_within) ++motion_count_;
     if (moved.end != moved.start || moved.turns != 0) ++action_count_;
     sink_.take(moved);
 }

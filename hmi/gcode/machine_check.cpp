@@ -76,10 +76,14 @@ Position MachineCheck::reference_of(const Profile& profile) noexcept {
 }
 
 void MachineCheck::refuse(const CanonRecord& record, ProblemCode code, std::string what) {
+    is_way_refused_ = is_way_refused_ || record.is_drawn;
     problems_.add({record.line, record.column, code, std::move(what)});
 }
 
 void MachineCheck::take(const CanonRecord& record) {
+    // What is wrong with a drawn way is told once.
+    is_way_refused_ = is_way_refused_ && record.begins_within;
+    if (is_way_refused_) return;
     switch (record.kind) {
         case CanonKind::rapid:
         case CanonKind::feed:

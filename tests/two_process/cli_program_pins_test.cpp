@@ -98,7 +98,7 @@ TEST_F(ProgramPins, OfADrawingAreSimulatedRecordedAndJudged) {
     // Another corner, side, radius, plane and tolerance are not what was carved.
     const std::vector<std::array<std::string, 2>> changes{
         {"G3 X25", "G2 X25"}, {"X-30", "X-29.9"}, {"G7.1 C38", "G7.1 C37.9"},
-        {"G2 I8", "G3 I8"},   {"R30", "R25"},   {"F900", "F9000\nG64 P.001"}};
+        {"G2 I8", "G3 I8"},   {"R30", "R25"},     {"F900", "F9000\nG64 P.001"}};
     for (const auto& [from, to] : changes)
         EXPECT_EQ(verified(file("pins.trace"), program("other.ngc", changed(kDrawn, from, to))), 6)
             << from << " -> " << to;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -28,12 +29,15 @@ inline constexpr Plane kCylinderZc{"ZC", 2, 5, 1, 'K', 'I', 'J'};
 /// Of the cross-section: both in mm, X to the right and C up, C 0 being the direction of X.
 inline constexpr Plane kCrossSection{"XC", 0, 5, 1, 'I', 'J', 'K'};
 
-/// What drawing with the table needs to know of the machine.
+/// What feeds over the piece and drawing with the table need to know of the machine.
 struct DrawingMachine {
-    bool is_y_on_z = false;           ///< y has the letter Z, as lathes have it
-    double tolerance_mm = 0.01;       ///< of the path where the program gives none
-    double core_mm = 0.0;             ///< of r1, and of r2 where that follows
-    double core_half_pulse_mm = 0.0;  ///< so much less is the same pulse
+    bool feeds_over_surface = false;
+    std::array<std::size_t, 2> head_letters{0, 0};  ///< of r1 and r2
+    std::array<double, 2> out_mm{1e9, 1e9};         ///< a head that stays there cuts nothing
+    bool is_y_on_z = false;                         ///< y has the letter Z, as lathes have it
+    double tolerance_mm = 0.01;                     ///< of the path where the program gives none
+    double core_mm = 0.0;                           ///< of r1, and of r2 where that follows
+    double core_half_pulse_mm = 0.0;                ///< so much less is the same pulse
 };
 DrawingMachine drawing_machine_of(const Profile& profile) noexcept;
 

@@ -162,6 +162,7 @@ TEST(Polar, RefusesAWayThroughTheCoreWithThePoint) {
     Profile profile;
     profile.core_radius_mm = 5.0;
     const auto read = drawn(kPolar + "G1 X20 C4\nX-20\nX-20 C6\nX20\nM2\n", profile);
+    ASSERT_FALSE(read->problems.errors().empty());
     EXPECT_EQ(read->faults(), Faults{"5:1 core_radius"});
     EXPECT_EQ(read->problems.errors().front().what,
               "at X 0.0000 C 4.0000 mm r1 comes to 4.0000 mm, and the core that it must not reach ends at "
@@ -176,6 +177,7 @@ TEST(Polar, RefusesAWayThroughTheCoreWithThePoint) {
 
 TEST(Polar, RefusesTheAxisWhereNoMachineIsAsked) {
     const auto read = read_program("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X-40\nM2\n");
+    ASSERT_FALSE(read->problems.errors().empty());
     EXPECT_EQ(read->faults(), Faults{"4:4 core_radius"});
     EXPECT_EQ(read->problems.errors().front().what, "at X 0.0000 C 0.0000 mm the way passes the axis");
     EXPECT_EQ(read_program("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 C.01\nX-40\nM2\n")->faults(), Faults{});

@@ -21,7 +21,7 @@ inline constexpr double kLeastPolarMm = 0.001;
 /// A shorter way is none.
 inline constexpr double kLeastWayMm = 1e-7;
 /// More has no way that is meant.
-inline constexpr std::uint64_t kMostDrawnChords = 1'000'000;
+inline constexpr std::uint64_t kMostDrawnChords = 100'000;
 
 /// On the unrolled cylinder r C stands where X stands in the plane of r1 and y.
 inline constexpr Plane kCylinderCy{"CY", 5, 1, 0, 'I', 'J', 'K'};

@@ -16,7 +16,7 @@ constexpr int kMostHalvings = 60;
 }  // namespace
 
 /// Where both X and C are said, the place is known again.
-void Interpreter::locate_in_polar(const PlanePoint& to) noexcept {
+void Interpreter::locate_in_polar(const PlanePoint& to, Position& end) noexcept {
     drawing_.place = to;
     doubtful_ |= kDrawnLetters;
     placed_ = static_cast<AxisMask>(placed_ & ~kDrawnLetters);
@@ -25,8 +25,8 @@ void Interpreter::locate_in_polar(const PlanePoint& to) noexcept {
     drawing_.is_doubtful = !is_said || are_places_doubtful() || (unknown_zeros() & kDrawnLetters) != 0 ||
                            !(radius_mm >= kLeastPolarMm);
     if (drawing_.is_doubtful) return;
-    program_[kDepthLetter] = radius_mm;
-    program_[kTurnLetter] = deg_from_rad(std::atan2(to.second_mm, to.first_mm));
+    end[kDepthLetter] = radius_mm;
+    end[kTurnLetter] = deg_from_rad(std::atan2(to.second_mm, to.first_mm));
     placed_ |= kDrawnLetters;
     doubtful_ = static_cast<AxisMask>(doubtful_ & ~kDrawnLetters);
 }
@@ -51,10 +51,8 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     end[kTurnLetter] = program_[kTurnLetter];
     note_places(static_cast<AxisMask>(words_.axes() & ~kDrawnLetters), false);
     if (drawing_.is_doubtful) {
-        program_ = end;
-        locate_in_polar(to);
-        machine_ = offsets_.to_machine(program_);
-        start_placed_ = placed_;
+        locate_in_polar(to, end);
+        emit_drawn(end, 1.0, feed_of_line(program_, end), true, true);
         return std::nullopt;
     }
     const PolarWay way = is_arc ? PolarWay::arc(from, to, centre, sweep_rad(from, to, centre, turns))
@@ -108,8 +106,7 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
             continue;
         }
         if (count++ > kMostDrawnChords)
-            return fault(words_.axis_column(), ProblemCode::out_of_range,
-                         "a way of more than 1000000 chords");
+            return fault(words_.axis_column(), ProblemCode::out_of_range, "a way of more than 100000 chords");
         Position at;
         for (std::size_t letter = 0; letter < kLetterCount; ++letter)
             at[letter] = to < 1.0 ? start[letter] + to * (end[letter] - start[letter]) : end[letter];

@@ -382,6 +382,36 @@ TEST(DrawingModes, HaveTheirWaysInCanonicalMotion) {
 )");
 }
 
+TEST(DrawingModes, MakeMotionWithoutAGapWhateverStandsInThem) {
+    constexpr const char* kBlocks[] = {
+        "G7.1 C30", "G7.1 C0",      "G12.1",       "G13.1",          "G1 X30 C10", "G1 X&",
+        "G0 X-30",  "G1 C-30 Y20",  "G2 I5",       "G3 X20 C20 R40", "G91",        "G90",
+        "G20",      "G21",          "G1 X#5420",   "G92 X3",         "G92.1",      "C400",
+        "G17",      "G2 I-3 P3 Y5", "X1000000000", "G93 G1 X20 F3",  "G94 F200",   "G64 P.1"};
+    std::mt19937 random{3};
+    for (int round = 0; round < 300; ++round) {
+        std::string text = "G21 G90 F300\nG0 X40 C0 Y10\n";
+        for (int i = 0; i < 12; ++i) text += std::string{kBlocks[random() % std::size(kBlocks)]} + "\n";
+        Profile profile;
+        const auto read = drawn(text + "M2\n", profile);
+        Position at{};
+        for (const CanonRecord& record : read->records) {
+            if (record.kind != CanonKind::feed && record.kind != CanonKind::rapid &&
+                record.kind != CanonKind::arc)
+                continue;
+            ASSERT_EQ(record.start, at) << text;
+            for (const double place : record.end) ASSERT_TRUE(std::isfinite(place)) << text;
+            ASSERT_TRUE(std::isfinite(record.feed_per_min) && record.feed_per_min >= 0.0) << text;
+            at = record.end;
+        }
+    }
+}
+
+TEST(DrawingModes, RefuseAWayOfTooManyPieces) {
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X30\nG3 X30 I-5 P10000\nM2\n"), Faults{"5:4 out_of_range"});
+    EXPECT_EQ(drawn_faults(kCylinder + "G3 I-5 P10000\nM2\n"), Faults{"4:1 out_of_range"});
+}
+
 TEST(DrawingMachines, HaveTheProfilesTolerance) {
     EXPECT_EQ(DrawingMachine{}.tolerance_mm, JobProfile{}.path_tolerance_mm);
     Profile profile;

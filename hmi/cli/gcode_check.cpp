@@ -9,6 +9,7 @@
 #include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/gcode/canon_writer.hpp"
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
 
@@ -65,6 +66,7 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
         if (!profile) return profile.error();
         machine = std::make_unique<gcode::MachineCheck>(*profile, problems);
         how.reference = gcode::MachineCheck::reference_of(*profile);
+        how.drawing = gcode::drawing_machine_of(*profile);
         how.is_start_known = false;
     }
     auto bytes = gcode::open_program(options.path);

@@ -26,6 +26,7 @@
 #include "hmi/cli/program_watch.hpp"
 #include "hmi/cli/record_feeder.hpp"
 #include "hmi/gcode/axis_letters.hpp"
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/machine/recorded_pins.hpp"
@@ -86,6 +87,7 @@ gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Prof
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
     how.reference = gcode::MachineCheck::reference_of(profile);
+    how.drawing = gcode::drawing_machine_of(profile);
     how.start = place_of(profile, status);
     return how;
 }

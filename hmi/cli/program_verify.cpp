@@ -7,6 +7,7 @@
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/verify/judged_trace.hpp"
 
@@ -35,6 +36,7 @@ Result<int> verify_program(const CommonOptions& common, const std::string& trace
     language.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     language.skips_deleted = options.skips_deleted;
     language.reference = gcode::MachineCheck::reference_of(*profile);
+    language.drawing = gcode::drawing_machine_of(*profile);
     const auto state = gcode::state_of_program(options.program);
     if (!state) return state.error();
     const auto trace = verify::open_trace(trace_path);

@@ -84,4 +84,24 @@ double sweep_rad(const PlanePoint& start, const PlanePoint& end, const PlanePoin
     return turns < 0 ? -(sweep + others_rad) : sweep + others_rad;
 }
 
+ArcExtents arc_extents(const PlanePoint& from, const PlanePoint& to, const PlanePoint& centre,
+                       int turns) noexcept {
+    const double radius_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
+    const double start_rad = std::atan2(from.second_mm - centre.second_mm, from.first_mm - centre.first_mm);
+    const double sweep = sweep_rad(from, to, centre, turns);
+    const double begin_rad = std::min(start_rad, start_rad + sweep);
+    const double end_rad = std::max(start_rad, start_rad + sweep);
+    const auto passes = [&](double angle_rad) {
+        const double next = angle_rad + 2.0 * kPi * std::ceil((begin_rad - angle_rad) / (2.0 * kPi));
+        return next <= end_rad;
+    };
+    ArcExtents found{{std::min(from.first_mm, to.first_mm), std::min(from.second_mm, to.second_mm)},
+                     {std::max(from.first_mm, to.first_mm), std::max(from.second_mm, to.second_mm)}};
+    if (passes(0.0)) found.most_mm[0] = centre.first_mm + radius_mm;
+    if (passes(kPi / 2.0)) found.most_mm[1] = centre.second_mm + radius_mm;
+    if (passes(kPi)) found.least_mm[0] = centre.first_mm - radius_mm;
+    if (passes(-kPi / 2.0)) found.least_mm[1] = centre.second_mm - radius_mm;
+    return found;
+}
+
 }  // namespace psicarve::gcode

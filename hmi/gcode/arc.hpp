@@ -38,4 +38,12 @@ std::optional<PlanePoint> centre_of_radius(const PlanePoint& start, const PlaneP
 double sweep_rad(const PlanePoint& start, const PlanePoint& end, const PlanePoint& centre,
                  int turns) noexcept;
 
+/// Least and greatest of both axes of an arc.
+struct ArcExtents {
+    double least_mm[2];
+    double most_mm[2];
+};
+ArcExtents arc_extents(const PlanePoint& from, const PlanePoint& to, const PlanePoint& centre,
+                       int turns) noexcept;
+
 }  // namespace psicarve::gcode

@@ -7,6 +7,10 @@
 
 namespace psicarve::gcode {
 
+/// An arc's chords may be off by this share of its tolerance, and their corners be passed within the rest: a
+/// circle that touches the chords passes their corners within the first share, so that the rest leaves room.
+inline constexpr double kChordShare = 0.25;
+
 /// An arc or a helix as points on it, joined by straight chords. All axes that are not in its plane move
 /// along evenly; where its radii differ so does the radius.
 class ArcChords {

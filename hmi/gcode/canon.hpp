@@ -42,6 +42,11 @@ struct CanonRecord {
     double centre_first_mm = 0.0;
     double centre_second_mm = 0.0;
     int turns = 0;  ///< begun, > 0 counterclockwise
+    /// Drawn in the cross-section or on the unrolled cylinder, and so given out as one or more ways that are
+    /// straight for the axes.
+    bool is_drawn = false;
+    bool begins_within = false;  ///< a drawn way, and not where that begins
+    bool ends_within = false;    ///< a drawn way, not at its end: the end is passed in every mode of the path
 };
 
 /// A line that is executed.

@@ -63,6 +63,7 @@ void append_motion(std::string& text, const CanonRecord& record) {
         append_axes(text, record.end, kFirstSecondary, kLetterCount);
     }
     if (record.kind != CanonKind::rapid) append_member(text, "f", record.feed_per_min);
+    if (record.ends_within) append_flag(text, "within", true);
     if (record.kind != CanonKind::arc) return;
     append_word(text, "plane", record.plane->name);
     text += ",\"ctr\":[";

@@ -36,6 +36,7 @@ constexpr std::array<CodeEntry, kGCodeCount> make_g_codes() {
     set_group(table, CodeGroup::retract, {980, 990});
     set_group(table, CodeGroup::system, {540, 550, 560, 570, 580, 590, 591, 592, 593});
     set_group(table, CodeGroup::path, {610, 611, 640});
+    set_group(table, CodeGroup::drawing, {71, 121, 131});
     set_standing(table, CodeStanding::compensation, {410, 411, 420, 421});
     set_standing(table, CodeStanding::tool_table, {430, 432});
     return table;

@@ -20,6 +20,7 @@ enum class CodeGroup : std::uint8_t {
     retract,       ///< G98 G99
     system,        ///< G54 to G59.3
     path,          ///< G61 G61.1 G64
+    drawing,       ///< G7.1 G12.1 G13.1
     outputs,       ///< M62 to M66
     tool,          ///< M6
     spindle,       ///< M3 M4 M5
@@ -27,7 +28,7 @@ enum class CodeGroup : std::uint8_t {
     overrides,     ///< M48 to M53
     stop,          ///< M0 M1 M2 M30 M60 M98 M99
 };
-inline constexpr std::size_t kCodeGroupCount = 18;
+inline constexpr std::size_t kCodeGroupCount = 19;
 inline constexpr int kNoCode = -1;
 
 /// What is known of a code. Codes are counted in tenths: G92.1 is 921.

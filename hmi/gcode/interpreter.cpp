@@ -89,6 +89,7 @@ void Interpreter::pass_wrong() noexcept {
     doubtful_ = kAllLetters;
     placed_ = 0;
     start_placed_ = 0;
+    drawing_.is_doubtful = true;
     is_feed_doubtful_ = true;
     is_motion_doubtful_ = true;
 }
@@ -106,7 +107,10 @@ Problem Interpreter::fault(std::uint32_t column, ProblemCode code, std::string w
 }
 
 Interpreter::Fault Interpreter::judge() {
+    if (words_.has(CodeGroup::drawing)) return judge_drawing();
     if (auto wrong = judge_motion()) return wrong;
+    if (!is_drawing(DrawnMode::none))
+        if (auto wrong = judge_drawing_mode()) return wrong;
     if (auto wrong = judge_claims()) return wrong;
     return words_.left_over();
 }
@@ -183,6 +187,7 @@ Interpreter::Fault Interpreter::judge_claims() {
 
 Interpreter::Fault Interpreter::execute() {
     is_too_far_ = false;
+    if (words_.has(CodeGroup::drawing)) return set_drawing();
     set_units();
     if (auto wrong = set_feed()) return wrong;
     if (words_.has('S')) {
@@ -218,6 +223,7 @@ void Interpreter::emit(CanonKind kind, int code, double value) {
     CanonRecord made = record(kind);
     made.code = code;
     made.value = value;
+    if (kind == CanonKind::path) drawing_.tolerance_mm = value;
     const bool is_rest = kind == CanonKind::stop || kind == CanonKind::tool_change;
     if (is_rest || (kind == CanonKind::dwell && value > 0.0)) ++action_count_;
     sink_.take(made);

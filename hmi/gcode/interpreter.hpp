@@ -11,7 +11,9 @@
 #include "hmi/gcode/block.hpp"
 #include "hmi/gcode/block_meaning.hpp"
 #include "hmi/gcode/canon.hpp"
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/modal_state.hpp"
+#include "hmi/gcode/polar_way.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_state.hpp"
 #include "hmi/gcode/work_offsets.hpp"
@@ -24,6 +26,7 @@ struct InterpreterOptions {
     Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
     Position start{};            ///< where the machine stands, machine coordinates
     bool is_start_known = true;  ///< it stands there; false: anywhere
+    DrawingMachine drawing{};
     /// Loops and calls may have so many blocks executed in all, and so many in a row that make neither a
     /// move, a dwell nor a stop.
     std::uint64_t most_repeated_blocks = 100'000'000;
@@ -85,6 +88,8 @@ private:
     Fault judge_motion();
     Fault judge_claims();
     bool has_centre_for_arc() const noexcept;
+    Fault judge_drawing();
+    Fault judge_drawing_mode();
     Fault execute();
 
     void set_units();
@@ -104,6 +109,10 @@ private:
     void set_shift();
     void note_unknown(AxisMask& zeros, AxisMask axes, AxisMask unplaced) const noexcept;
     void go_to_reference(std::size_t which);
+    Fault set_drawing();
+    Fault begin_drawing(DrawnMode mode);
+    Fault begin_polar();
+    void end_drawing() noexcept;
     Fault stop();
     Fault want_jump(int code);
 
@@ -117,6 +126,19 @@ private:
     Fault find_centre(const PlanePoint& start, const PlanePoint& end, bool is_clockwise, PlanePoint& centre);
     Fault read_centre_words(const PlanePoint& start, PlanePoint& centre) const;
     Fault read_turns(int& turns) const;
+    /// In the modes of G7.1 and G12.1.
+    Fault draw();
+    Fault draw_in_polar();
+    Fault draw_on_cylinder();
+    Fault arc_in_plane(const PlanePoint& from, const PlanePoint& to, PlanePoint& centre, int& turns);
+    Fault judge_core(const PolarWay& way) const;
+    void locate_in_polar(const PlanePoint& to, Position& end) noexcept;
+    Fault carry_out_polar(const PolarWay& way, const Position& end);
+    Fault carry_out_on_cylinder(const CanonRecord& arc, const Position& end, double length_mm);
+    void emit_drawn(const Position& program, double share, const FeedAlong& along, bool is_first,
+                    bool is_last);
+    bool is_drawing(DrawnMode mode) const noexcept { return drawing_.mode == mode; }
+    double chord_mm() const noexcept;
     Fault drill();
     Fault read_cycle_words();
     void drill_hole(Position& at, double clear_mm, double depth_mm, double retract_mm);
@@ -144,6 +166,7 @@ private:
     ProblemList& problems_;
     BlockMeaning words_;
     ModalState modes_;
+    Drawing drawing_;
     CycleWords cycle_;
     WorkOffsets offsets_;
     std::array<Position, 2> references_;

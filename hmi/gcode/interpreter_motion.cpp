@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hmi/gcode/interpreter.hpp"
+#include "hmi/gcode/surface_feed.hpp"
 
 namespace psicarve::gcode {
 namespace {
@@ -43,6 +44,7 @@ Interpreter::Fault Interpreter::move() {
     if (motion_to_be_ == kNoCode) return std::nullopt;
     const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
     if (!is_arc && !is_cycle(motion_to_be_) && words_.axes() == 0) return std::nullopt;
+    if (!is_drawing(DrawnMode::none)) return draw();
     if (is_cycle(motion_to_be_)) {
         if (words_.axes() == 0)
             return fault(words_.column(CodeGroup::motion), ProblemCode::axes_missing,
@@ -129,6 +131,11 @@ double Interpreter::feed_of_length(double length) const noexcept {
 }
 
 Interpreter::FeedAlong Interpreter::feed_of_line(const Position& from, const Position& to) const noexcept {
+    if (options_.drawing.feeds_over_surface) {
+        const double over_mm =
+            line_over_surface_mm(options_.drawing, offsets_.to_machine(from), offsets_.to_machine(to));
+        if (over_mm >= kLeastLength) return {feed_of_length(over_mm), over_mm};
+    }
     double length = length_of(from, to, 0);
     if (length < kLeastLength) length = length_of(from, to, 6);
     if (length >= kLeastLength) return {feed_of_length(length), length};
@@ -158,7 +165,7 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, const F
     machine_ = machine;
     start_placed_ = placed_;
     moved.end = machine_;
-    ++motion_count_;
+    if (!moved.ends_within) ++motion_count_;
     if (moved.end != moved.start || moved.turns != 0) ++action_count_;
     sink_.take(moved);
 }
@@ -260,7 +267,12 @@ Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
     moved.turns = is_clockwise ? -turns : turns;
     const double radius_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
     const double round_mm = radius_mm * sweep_rad(from, to, centre, moved.turns);
-    const double length_mm = std::hypot(round_mm, end[plane.across] - program_[plane.across]);
+    double length_mm = std::hypot(round_mm, end[plane.across] - program_[plane.across]);
+    if (options_.drawing.feeds_over_surface) {
+        moved.start = machine_;
+        moved.end = offsets_.to_machine(end);
+        length_mm = arc_over_surface_mm(options_.drawing, moved, length_mm);
+    }
     emit_move(moved, end, {feed_of_length(length_mm), length_mm});
     return std::nullopt;
 }

@@ -74,9 +74,14 @@ double system_code(std::size_t system) noexcept {
 
 /// In the program's coordinates and units.
 StateAnswer Interpreter::program_place(std::size_t axis) const noexcept {
+    const double unit_mm = modes_.mm_per_unit;
+    if (is_drawing(DrawnMode::polar) && (axis == kDepthLetter || axis == kTurnLetter))
+        return {Kind::value,
+                (axis == kDepthLetter ? drawing_.place.first_mm : drawing_.place.second_mm) / unit_mm,
+                !drawing_.is_doubtful};
     const AxisMask needed = both_if_turned(mask_of(axis));
     const bool is_certain = (placed_ & needed) == needed && (unknown_zeros() & needed) == 0;
-    return {Kind::value, program_[axis] / (is_rotary(axis) ? 1.0 : modes_.mm_per_unit), is_certain};
+    return {Kind::value, program_[axis] / (is_rotary(axis) ? 1.0 : unit_mm), is_certain};
 }
 
 StateAnswer Interpreter::machine_place(std::size_t axis) const noexcept {
@@ -119,8 +124,8 @@ StateAnswer Interpreter::mode(std::string_view name) const noexcept {
     const bool is_inch = modes_.mm_per_unit != 1.0;
     if (name == "_line") return known(static_cast<double>(line_));
     if (name == "_motion_mode") return known(modes_.motion);
-    if (name == "_plane")
-        return known(modes_.plane == &kPlaneXy ? 170 : (modes_.plane == &kPlaneZx ? 180 : 190));
+    const Plane* plane = is_drawing(DrawnMode::none) ? modes_.plane : drawing_.plane_before;
+    if (name == "_plane") return known(plane == &kPlaneXy ? 170 : (plane == &kPlaneZx ? 180 : 190));
     if (name == "_metric") return truth_of(!is_inch);
     if (name == "_imperial") return truth_of(is_inch);
     if (name == "_absolute") return truth_of(!modes_.is_incremental);

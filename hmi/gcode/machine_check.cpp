@@ -19,33 +19,11 @@ std::string length_text(double length_mm) {
     return text;
 }
 
-/// Least and greatest of both axes of an arc.
-struct ArcExtents {
-    double least_mm[2];
-    double most_mm[2];
-};
-
 ArcExtents extents_of(const CanonRecord& record) noexcept {
     const Plane& plane = *record.plane;
-    const PlanePoint from{record.start[plane.first], record.start[plane.second]};
-    const PlanePoint to{record.end[plane.first], record.end[plane.second]};
-    const PlanePoint centre{record.centre_first_mm, record.centre_second_mm};
-    const double radius_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
-    const double start_rad = std::atan2(from.second_mm - centre.second_mm, from.first_mm - centre.first_mm);
-    const double sweep = sweep_rad(from, to, centre, record.turns);
-    const double begin_rad = std::min(start_rad, start_rad + sweep);
-    const double end_rad = std::max(start_rad, start_rad + sweep);
-    const auto passes = [&](double angle_rad) {
-        const double next = angle_rad + 2.0 * kPi * std::ceil((begin_rad - angle_rad) / (2.0 * kPi));
-        return next <= end_rad;
-    };
-    ArcExtents found{{std::min(from.first_mm, to.first_mm), std::min(from.second_mm, to.second_mm)},
-                     {std::max(from.first_mm, to.first_mm), std::max(from.second_mm, to.second_mm)}};
-    if (passes(0.0)) found.most_mm[0] = centre.first_mm + radius_mm;
-    if (passes(kPi / 2.0)) found.most_mm[1] = centre.second_mm + radius_mm;
-    if (passes(kPi)) found.least_mm[0] = centre.first_mm - radius_mm;
-    if (passes(-kPi / 2.0)) found.least_mm[1] = centre.second_mm - radius_mm;
-    return found;
+    return arc_extents({record.start[plane.first], record.start[plane.second]},
+                       {record.end[plane.first], record.end[plane.second]},
+                       {record.centre_first_mm, record.centre_second_mm}, record.turns);
 }
 
 /// Whether the record brings the axis to a place that has not been judged yet.
@@ -76,10 +54,14 @@ Position MachineCheck::reference_of(const Profile& profile) noexcept {
 }
 
 void MachineCheck::refuse(const CanonRecord& record, ProblemCode code, std::string what) {
+    is_way_refused_ = is_way_refused_ || record.is_drawn;
     problems_.add({record.line, record.column, code, std::move(what)});
 }
 
 void MachineCheck::take(const CanonRecord& record) {
+    // What is wrong with a drawn way is told once.
+    is_way_refused_ = is_way_refused_ && record.begins_within;
+    if (is_way_refused_) return;
     switch (record.kind) {
         case CanonKind::rapid:
         case CanonKind::feed:

@@ -44,6 +44,7 @@ private:
     void judge_tips(const CanonRecord& record);
 
     ProblemList& problems_;
+    bool is_way_refused_ = false;  ///< the drawn one that is not at its end
     AxisLetters letters_;
     std::array<LinearAxis, 3> axes_;
     double tips_mm_;  ///< how much further out than counted both heads' tips stand, together

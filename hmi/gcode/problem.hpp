@@ -39,6 +39,9 @@ enum class ProblemCode : std::uint8_t {
     arc_whole_by_radius,
     arc_words_mixed,
     arc_rotated,
+    drawing_beside,
+    drawing_begin,
+    drawing_code,
     cycle_depth,
     cycle_feed_mode,
     cycle_rotary,
@@ -80,7 +83,7 @@ enum class ProblemCode : std::uint8_t {
     speed_unused,
     coolant_unused,
 };
-inline constexpr std::size_t kProblemCodeCount = 68;
+inline constexpr std::size_t kProblemCodeCount = 71;
 
 std::string_view name_of(ProblemCode code) noexcept;
 /// What to do about it, one clause.

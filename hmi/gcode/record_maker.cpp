@@ -10,9 +10,6 @@
 namespace psicarve::gcode {
 namespace {
 
-/// An arc's chords may be off by this share of its tolerance, and their corners be passed within the rest: a
-/// circle that touches the chords passes their corners within the first share, so that the rest leaves room.
-constexpr double kChordShare = 0.25;
 constexpr double kSecondsPerMinute = 60.0;
 
 double furthest_out_mm(const Profile& profile, Axis head) {
@@ -50,7 +47,7 @@ void RecordMaker::begin_line(const ReachedLine& line) {
 void RecordMaker::take(const CanonRecord& record) {
     if (outlet_.has_failed()) return;
     if (!has_begun_ && has_come_) begin(record);
-    if (turns_shortest_ && record.kind == CanonKind::rapid) shorten_turn(record);
+    if (turns_shortest_ && record.kind == CanonKind::rapid && !record.is_drawn) shorten_turn(record);
     if (has_begun_) carry_out(record);
     note(record);
 }
@@ -88,7 +85,8 @@ double RecordMaker::turn_deg(const CanonRecord& record) const noexcept {
 
 /// Whether whole turns are all that the rapid way asks of psi, and it need not do them.
 bool RecordMaker::stays_turned(const CanonRecord& record) const noexcept {
-    return turns_shortest_ && (record.start_placed & letters_.mask_of_axis(Axis::psi)) != 0 &&
+    return turns_shortest_ && !record.is_drawn &&
+           (record.start_placed & letters_.mask_of_axis(Axis::psi)) != 0 &&
            std::remainder(turn_deg(record), kDegPerRev) == 0.0;
 }
 
@@ -193,7 +191,7 @@ void RecordMaker::move(const CanonRecord& record) {
         changed = static_cast<AxisMask>(changed & ~letters_.mask_of_axis(Axis::psi));
     if ((changed & moving_letters()) == 0) return;
     put_way(record.line, record.end, static_cast<AxisMask>(record.placed & moving_letters()), seconds,
-            end_tolerance_mm(), record.kind == CanonKind::rapid);
+            record.ends_within ? corner_tolerance_mm() : end_tolerance_mm(), record.kind == CanonKind::rapid);
 }
 
 void RecordMaker::move_on_chords(const CanonRecord& record, double seconds) {

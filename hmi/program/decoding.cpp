@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
 
 namespace psicarve::program {
@@ -119,6 +120,7 @@ gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode
     gcode::InterpreterOptions how;
     how.skips_deleted = request.skips_deleted;
     how.reference = gcode::MachineCheck::reference_of(request.profile);
+    how.drawing = gcode::drawing_machine_of(request.profile);
     how.is_start_known = request.start.has_value();
     // r1 last: where r2 follows it, one letter stands for both.
     for (const Axis axis : {Axis::r2, Axis::psi, Axis::y, Axis::r1}) {

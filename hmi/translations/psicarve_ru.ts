@@ -1533,6 +1533,10 @@
             <translation>Ожидаемая деталь</translation>
         </message>
         <message>
+            <source>F is along X, Y and Z, or of the faster tool over the piece, which turns under it.</source>
+            <translation>F — скорость вдоль X, Y и Z или скорость более быстрого инструмента по детали, которая под ним вращается.</translation>
+        </message>
+        <message>
             <source>F1  emergency stop, everywhere
 Shift+Esc  stop, everywhere
 Esc  hold; in a dialog or menu: close it

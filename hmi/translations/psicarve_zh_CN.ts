@@ -1532,6 +1532,10 @@
             <translation>预期工件</translation>
         </message>
         <message>
+            <source>F is along X, Y and Z, or of the faster tool over the piece, which turns under it.</source>
+            <translation>F 为沿 X、Y、Z 的进给，或较快的刀具相对其下转动的工件的速度。</translation>
+        </message>
+        <message>
             <source>F1  emergency stop, everywhere
 Shift+Esc  stop, everywhere
 Esc  hold; in a dialog or menu: close it

@@ -152,7 +152,8 @@ struct RoughingProfile {
 struct GcodeProfile {
     AxisNames letters = AxisNames::machine;
     SecondHead second_head = SecondHead::own;
-    bool turns_shortest = false;  ///< a G0 of C
+    bool turns_shortest = false;      ///< a G0 of C
+    bool feeds_over_surface = false;  ///< F is the tool's speed over the piece, not that of X Y Z
 
     friend bool operator==(const GcodeProfile&, const GcodeProfile&) = default;
 };

@@ -34,6 +34,7 @@ constexpr Word kAxisNamesWords[]{{"machine", number_of(AxisNames::machine)},
 constexpr Word kSecondHeadWords[]{{"own", number_of(SecondHead::own)},
                                   {"follow", number_of(SecondHead::follow)}};
 constexpr Word kRapidPsiWords[]{{"shortest", 1}, {"written", 0}};
+constexpr Word kFeedOverWords[]{{"axes", 0}, {"surface", 1}};
 constexpr Word kPulseFormWords[]{{"over-ticks", number_of(PulseForm::over_ticks)},
                                  {"within-tick", number_of(PulseForm::within_tick)}};
 constexpr Word kOnHoldWords[]{{"lift", 1}, {"stay", 0}};
@@ -233,6 +234,8 @@ void add_gcode(std::vector<KeySpec>& keys) {
                "R2 has a letter of its own, or goes where the letter of R1 says.");
     gcode.word(&G::turns_shortest, "rapid_psi", kRapidPsiWords, kNoMotion,
                "G0 of C turns as it is written, or the shortest way to the same direction.");
+    gcode.word(&G::feeds_over_surface, "feed_over", kFeedOverWords, kNoMotion,
+               "F is along X, Y and Z, or of the faster tool over the piece, which turns under it.");
 }
 
 void add_port(std::vector<KeySpec>& keys) {

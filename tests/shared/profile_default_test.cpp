@@ -171,7 +171,7 @@ TEST(ProfileToml, EveryWordAndTextSurvivesPrinting) {
     profile.job.joining = Joining::spiral;
     profile.tool = {ToolShape::vee, 6.35, 45.0, 12.0};
     profile.blank = {30.0, 60.0, 1.5, -2.25, 12.0};
-    profile.gcode = {AxisNames::turning, SecondHead::follow, true};
+    profile.gcode = {AxisNames::turning, SecondHead::follow, true, true};
     profile.port.pins[index_of(Signal::r1_step)] = -5;
     EXPECT_EQ(parsed(profile_to_toml(profile)), profile);
 }

@@ -82,6 +82,28 @@ TEST_F(ProgramPins, AreSimulatedRecordedAndJudged) {
             << from << " -> " << to;
 }
 
+// A square with a round corner in the cross-section, a circle and a slanted line on the cylinder.
+constexpr const char* kDrawn =
+    "G21 G90 F900\nG0 X45 Z55 Y40 C0\nM3\nG12.1\nG1 X30\nG1 C25\nG3 X25 C30 I-5 J0\nG1 X-30\nC-30\nG61\n"
+    "X30\nG64\nC0\nG0 X40\nG13.1\nG0 C0\nG7.1 C38\nG1 X38\nG2 I8 J0\nG1 C20 Y45\nG61\nG3 C0 Y40 R30\n"
+    "G7.1 C0\nG64\nG0 X45\nM5\nM2\n";
+
+TEST_F(ProgramPins, OfADrawingAreSimulatedRecordedAndJudged) {
+    const std::string path = program("drawn.ngc", kDrawn);
+    const Outcome done = run({"gcode", "run", path, "--simulate", "--trace", file("pins.trace"), "--json"});
+    ASSERT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_EQ(done.json()["verification"]["verified"], true) << done.out;
+    EXPECT_EQ(done.json()["starvations"], 0) << done.out;
+    EXPECT_EQ(verified(file("pins.trace"), path), 0);
+    // Another corner, side, radius, plane and tolerance are not what was carved.
+    const std::vector<std::array<std::string, 2>> changes{
+        {"G3 X25", "G2 X25"}, {"X-30", "X-29.9"}, {"G7.1 C38", "G7.1 C37.9"},
+        {"G2 I8", "G3 I8"},   {"R30", "R25"},     {"F900", "F9000\nG64 P.001"}};
+    for (const auto& [from, to] : changes)
+        EXPECT_EQ(verified(file("pins.trace"), program("other.ngc", changed(kDrawn, from, to))), 6)
+            << from << " -> " << to;
+}
+
 TEST_F(ProgramPins, AreRecordedFromARunningCore) {
     start_core();
     ASSERT_EQ(run({"home"}).exit_code, 0);

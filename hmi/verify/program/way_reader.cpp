@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hmi/gcode/arc.hpp"
+#include "hmi/gcode/arc_chords.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::verify {
@@ -100,7 +101,7 @@ void WayReader::note_mode(const CanonRecord& record) noexcept {
 std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
     const std::size_t psi_letter = letters_.letter_of(Axis::psi);
     const auto psi_mask = letters_.mask_of_axis(Axis::psi);
-    if (turns_shortest_ && record.kind == CanonKind::rapid &&
+    if (turns_shortest_ && record.kind == CanonKind::rapid && !record.is_drawn &&
         (record.start_placed & record.placed & psi_mask) != 0) {
         const double turned_deg = record.end[psi_letter] - record.start[psi_letter];
         psi_shift_deg_ += std::remainder(turned_deg, kDegPerRev) - turned_deg;
@@ -119,8 +120,11 @@ std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
         moves = moves || round_to_pulse(from[k]) != round_to_pulse(to[k]);
     if (!moves) return std::nullopt;
     WayDemand demand{.way = ProgrammedWay{scale_, from, to, arc}, .line = record.line};
-    demand.is_exact = is_exact_;
-    demand.tolerance_mm = is_exact_ && !arc ? 0.0 : tolerance_mm_;
+    demand.is_exact = is_exact_ && !record.ends_within;
+    const bool has_corners = arc || record.begins_within || record.ends_within;
+    demand.tolerance_mm = is_exact_ && !has_corners ? 0.0 : tolerance_mm_;
+    // Chords of what is drawn have used up their share of it.
+    if (record.is_drawn) demand.tolerance_mm *= 1.0 - gcode::kChordShare;
     if (record.feed_per_min > 0.0) demand.seconds = record.length / record.feed_per_min * kSecondsPerMinute;
     demand.needs_spindle = is_spindle_on_;
     return demand;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What G7.1 draws on the unrolled cylinder.
+#include <cmath>
+
+#include "hmi/gcode/arc_chords.hpp"
+#include "hmi/gcode/interpreter.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+double drawn_length_mm(const Position& from, const Position& to, std::size_t begin) noexcept {
+    return std::hypot(to[begin] - from[begin], to[begin + 1] - from[begin + 1],
+                      to[begin + 2] - from[begin + 2]);
+}
+
+/// Of X Y Z, or of U V W where these stand.
+double linear_mm(const Position& from, const Position& to) noexcept {
+    const double length_mm = drawn_length_mm(from, to, 0);
+    return length_mm < kLeastWayMm ? drawn_length_mm(from, to, 6) : length_mm;
+}
+
+}  // namespace
+
+Interpreter::Fault Interpreter::draw_on_cylinder() {
+    const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
+    const Plane& plane = *modes_.plane;
+    const Position end = target();
+    CanonRecord arc;  // where it is drawn
+    arc.start = program_;
+    arc.end = end;
+    arc.start[kTurnLetter] *= mm_per_deg;
+    arc.end[kTurnLetter] *= mm_per_deg;
+    const double turned_mm = arc.end[kTurnLetter] - arc.start[kTurnLetter];
+    if (motion_to_be_ == 0 || motion_to_be_ == 10) {
+        const double length_mm = std::hypot(linear_mm(program_, end), turned_mm);
+        note_places(words_.axes(), false);
+        const FeedAlong along = length_mm < kLeastWayMm ? feed_of_line(program_, end)
+                                                        : FeedAlong{feed_of_length(length_mm), length_mm};
+        emit_drawn(end, 1.0, along, true, true);
+        return std::nullopt;
+    }
+    const PlanePoint from{arc.start[plane.first], arc.start[plane.second]};
+    const PlanePoint to{arc.end[plane.first], arc.end[plane.second]};
+    PlanePoint centre = from;
+    arc.turns = 1;
+    if (auto wrong = arc_in_plane(from, to, centre, arc.turns)) return wrong;
+    arc.plane = &plane;
+    arc.centre_first_mm = centre.first_mm;
+    arc.centre_second_mm = centre.second_mm;
+    const double round_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm) *
+                            sweep_rad(from, to, centre, arc.turns);
+    double squares = round_mm * round_mm;
+    for (std::size_t letter = 0; letter < 3; ++letter) {
+        const double moved_mm = end[letter] - program_[letter];
+        if (letter != plane.first && letter != plane.second) squares += moved_mm * moved_mm;
+    }
+    return carry_out_on_cylinder(arc, end, std::sqrt(squares));
+}
+
+Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, const Position& end,
+                                                      double length_mm) {
+    const ArcChords chords{arc, chord_mm()};
+    if (chords.count() > kMostDrawnChords)
+        return fault(words_.axis_column(), ProblemCode::out_of_range, "an arc of more than 100000 chords");
+    const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
+    const AxisMask axes = static_cast<AxisMask>(mask_of(arc.plane->first) | mask_of(arc.plane->second));
+    const AxisMask before = placed_;
+    note_places(words_.axes(), false);
+    const AxisMask behind = placed_;
+    // An arc from anywhere has a known end alone.
+    if ((before & axes) != axes) placed_ = static_cast<AxisMask>(before & ~axes);
+    const FeedAlong along{feed_of_length(length_mm), length_mm};
+    const double share = 1.0 / static_cast<double>(chords.count());
+    for (std::uint64_t chord = 1; chord < chords.count() && sink_.wants_more(); ++chord) {
+        Position at = chords.end_of(chord);
+        at[kTurnLetter] /= mm_per_deg;
+        emit_drawn(at, share, along, chord == 1, false);
+    }
+    placed_ = behind;
+    emit_drawn(end, share, along, chords.count() == 1, true);
+    return std::nullopt;
+}
+
+}  // namespace psicarve::gcode

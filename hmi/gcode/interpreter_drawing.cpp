@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The modes of drawing with the table: G7.1 on the unrolled cylinder, G12.1 and G13.1 in the cross-section.
+// What is drawn becomes ways that are straight for the axes, close enough that they and their corners keep
+// the tolerance.
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "hmi/gcode/arc_chords.hpp"
+#include "hmi/gcode/interpreter.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+/// X 0 is the axis within this.
+constexpr double kSameZeroMm = 1e-6;
+bool is_once_kept(int code) noexcept {
+    return code == kNoCode || code == 40;
+}
+
+std::string_view mode_name(DrawnMode mode) noexcept {
+    return mode == DrawnMode::cylinder ? "G7.1" : "G12.1";
+}
+
+}  // namespace
+
+/// G7.1 with its C, G12.1 and G13.1 stand alone.
+Interpreter::Fault Interpreter::judge_drawing() {
+    const int code = words_.code(CodeGroup::drawing);
+    const std::uint32_t column = words_.column(CodeGroup::drawing);
+    const std::string name = code_name('G', code);
+    motion_to_be_ = kNoCode;
+    for (std::size_t group = 0; group < kCodeGroupCount; ++group) {
+        const auto which = static_cast<CodeGroup>(group);
+        if (which != CodeGroup::drawing && words_.has(which))
+            return fault(words_.column(which), ProblemCode::drawing_beside,
+                         "another code stands beside " + name);
+    }
+    const AxisMask own = code == 71 ? mask_of(kTurnLetter) : AxisMask{0};
+    if ((words_.axes() & ~own) != 0)
+        return fault(words_.axis_column(), ProblemCode::drawing_beside, "an axis word stands beside " + name);
+    for (const char letter : {'F', 'S', 'T'})
+        if (words_.has(letter))
+            return fault(words_.column(letter), ProblemCode::drawing_beside,
+                         std::string{letter} + " stands beside " + name);
+    words_.take_axes();
+    if (code != 71) return words_.left_over();
+    if (!words_.has('C'))
+        return fault(column, ProblemCode::word_missing, "G7.1 has no C, the cylinder's radius");
+    if (words_.value('C') < 0.0)
+        return fault(words_.column('C'), ProblemCode::out_of_range, "a cylinder's radius of less than 0");
+    return words_.left_over();
+}
+
+/// What would move the drawing's zero or its plane, or leaves it.
+Interpreter::Fault Interpreter::judge_drawing_mode() {
+    const auto refused = [&](CodeGroup group) {
+        return fault(words_.column(group), ProblemCode::drawing_code,
+                     code_name('G', words_.code(group)) + " while " + std::string{mode_name(drawing_.mode)} +
+                         " holds");
+    };
+    for (const CodeGroup group : {CodeGroup::plane, CodeGroup::length, CodeGroup::system})
+        if (words_.has(group)) return refused(group);
+    if (!is_once_kept(words_.code(CodeGroup::once))) return refused(CodeGroup::once);
+    if (is_cycle(motion_to_be_) && words_.has(CodeGroup::motion)) return refused(CodeGroup::motion);
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::set_drawing() {
+    const int code = words_.code(CodeGroup::drawing);
+    const bool ends = code == 131 || (code == 71 && words_.value('C') == 0.0);
+    const DrawnMode mode = code == 71 ? DrawnMode::cylinder : DrawnMode::polar;
+    // To end what does not hold is right: programs begin so, for safety.
+    const bool holds_other = !is_drawing(DrawnMode::none) && (!ends || !is_drawing(mode));
+    if (holds_other)
+        return fault(words_.column(CodeGroup::drawing), ProblemCode::drawing_code,
+                     code_name('G', code) + " while " + std::string{mode_name(drawing_.mode)} + " holds");
+    if (!ends) return begin_drawing(mode);
+    if (!is_drawing(DrawnMode::none)) end_drawing();
+    return std::nullopt;
+}
+
+Interpreter::Fault Interpreter::begin_drawing(DrawnMode mode) {
+    const std::uint32_t column = words_.column(CodeGroup::drawing);
+    const std::string name{mode_name(mode)};
+    // Also where something is wrong with it: what follows is written for it.
+    drawing_.mode = mode;
+    drawing_.plane_before = modes_.plane;
+    drawing_.radius_mm = mode == DrawnMode::cylinder ? words_.value('C') * modes_.mm_per_unit : 0.0;
+    drawing_.is_doubtful = (doubtful_ & kDrawnLetters) != 0;
+    modes_.plane = mode == DrawnMode::polar ? &kCrossSection
+                                            : (options_.drawing.is_y_on_z ? &kCylinderZc : &kCylinderCy);
+    if (is_cycle(modes_.motion) && !is_motion_doubtful_)
+        return fault(column, ProblemCode::drawing_begin, name + " while a cycle holds");
+    if (offsets_.is_turned())
+        return fault(column, ProblemCode::drawing_begin, name + " in a system that is rotated");
+    return mode == DrawnMode::polar && !drawing_.is_doubtful ? begin_polar() : std::nullopt;
+}
+
+Interpreter::Fault Interpreter::begin_polar() {
+    const std::uint32_t column = words_.column(CodeGroup::drawing);
+    if ((placed_ & kDrawnLetters) != kDrawnLetters || (unknown_zeros() & kDrawnLetters) != 0)
+        return fault(column, ProblemCode::drawing_begin,
+                     "G12.1, and the program has not said yet where X and C are");
+    const double zero_mm = offsets_.origin(offsets_.active())[kDepthLetter] +
+                           (offsets_.is_shifted() ? offsets_.kept_shift()[kDepthLetter] : 0.0);
+    const double radius_mm = program_[kDepthLetter];
+    char text[96];
+    std::snprintf(text, sizeof text, "G12.1, and X 0 lies %.4f mm off the axis", zero_mm);
+    if (std::abs(zero_mm) > kSameZeroMm) return fault(column, ProblemCode::drawing_begin, text);
+    std::snprintf(text, sizeof text, "G12.1 at X %.4f mm, and there is no direction", radius_mm);
+    if (!(radius_mm >= kLeastPolarMm)) return fault(column, ProblemCode::drawing_begin, text);
+    const double angle_rad = rad_from_deg(program_[kTurnLetter]);
+    drawing_.place = {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
+    return std::nullopt;
+}
+
+/// C goes on from the direction that it has come to, with all its turns.
+void Interpreter::end_drawing() noexcept {
+    drawing_.mode = DrawnMode::none;
+    modes_.plane = drawing_.plane_before;
+}
+
+/// What chords may be off: the rest of the tolerance is for their corners.
+double Interpreter::chord_mm() const noexcept {
+    return kChordShare *
+           (drawing_.tolerance_mm > 0.0 ? drawing_.tolerance_mm : options_.drawing.tolerance_mm);
+}
+
+Interpreter::Fault Interpreter::draw() {
+    if (is_cycle(motion_to_be_))
+        return fault(words_.axis_column(), ProblemCode::drawing_code,
+                     "a cycle while " + std::string{mode_name(drawing_.mode)} + " holds");
+    if (motion_to_be_ != 0)
+        if (auto wrong = check_feed()) return wrong;
+    return is_drawing(DrawnMode::polar) ? draw_in_polar() : draw_on_cylinder();
+}
+
+Interpreter::Fault Interpreter::arc_in_plane(const PlanePoint& from, const PlanePoint& to, PlanePoint& centre,
+                                             int& turns) {
+    const bool is_clockwise = motion_to_be_ == 20;
+    if (auto wrong = find_centre(from, to, is_clockwise, centre)) return wrong;
+    if (auto wrong = read_turns(turns)) return wrong;
+    if (is_clockwise) turns = -turns;
+    return std::nullopt;
+}
+
+/// One of the ways that something drawn becomes: its last `share`.
+void Interpreter::emit_drawn(const Position& program, double share, const FeedAlong& along, bool is_first,
+                             bool is_last) {
+    CanonRecord moved = record(motion_to_be_ == 0 ? CanonKind::rapid : CanonKind::feed);
+    moved.is_drawn = true;
+    moved.begins_within = !is_first;
+    moved.ends_within = !is_last;
+    emit_move(moved, program,
+              motion_to_be_ == 0 ? FeedAlong{} : FeedAlong{along.per_min, along.length * share});
+}
+
+}  // namespace psicarve::gcode

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What G12.1 draws in the cross-section.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "hmi/gcode/interpreter.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+constexpr int kMostHalvings = 60;
+
+}  // namespace
+
+/// Where both X and C are said, the place is known again.
+void Interpreter::locate_in_polar(const PlanePoint& to, Position& end) noexcept {
+    drawing_.place = to;
+    doubtful_ |= kDrawnLetters;
+    placed_ = static_cast<AxisMask>(placed_ & ~kDrawnLetters);
+    const double radius_mm = std::hypot(to.first_mm, to.second_mm);
+    const bool is_said = (words_.axes() & kDrawnLetters) == kDrawnLetters && !modes_.is_incremental;
+    drawing_.is_doubtful = !is_said || are_places_doubtful() || (unknown_zeros() & kDrawnLetters) != 0 ||
+                           !(radius_mm >= kLeastPolarMm);
+    if (drawing_.is_doubtful) return;
+    end[kDepthLetter] = radius_mm;
+    end[kTurnLetter] = deg_from_rad(std::atan2(to.second_mm, to.first_mm));
+    placed_ |= kDrawnLetters;
+    doubtful_ = static_cast<AxisMask>(doubtful_ & ~kDrawnLetters);
+}
+
+Interpreter::Fault Interpreter::draw_in_polar() {
+    const auto drawn_mm = [&](std::size_t letter, double from_mm) {
+        if ((words_.axes() & mask_of(letter)) == 0) return from_mm;
+        const double said_mm = words_.axis_value(letter) * modes_.mm_per_unit;
+        return modes_.is_incremental ? from_mm + said_mm : said_mm;
+    };
+    const PlanePoint from = drawing_.place;
+    const PlanePoint to{drawn_mm(kDepthLetter, from.first_mm), drawn_mm(kTurnLetter, from.second_mm)};
+    const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
+    if (are_places_doubtful() || drawing_.is_doubtful) doubtful_ |= kDrawnLetters;
+    drawing_.is_doubtful = drawing_.is_doubtful || are_places_doubtful();
+    PlanePoint centre = from;
+    int turns = 1;
+    if (is_arc)
+        if (auto wrong = arc_in_plane(from, to, centre, turns)) return wrong;
+    Position end = target();
+    end[kDepthLetter] = program_[kDepthLetter];
+    end[kTurnLetter] = program_[kTurnLetter];
+    note_places(static_cast<AxisMask>(words_.axes() & ~kDrawnLetters), false);
+    if (drawing_.is_doubtful) {
+        locate_in_polar(to, end);
+        emit_drawn(end, 1.0, feed_of_line(program_, end), true, true);
+        return std::nullopt;
+    }
+    const PolarWay way = is_arc ? PolarWay::arc(from, to, centre, sweep_rad(from, to, centre, turns))
+                                : PolarWay::line(from, to);
+    if (way.length_mm() < kLeastWayMm) {
+        emit_drawn(end, 1.0, feed_of_line(program_, end), true, true);
+        return std::nullopt;
+    }
+    if (auto wrong = judge_core(way)) return wrong;
+    drawing_.place = to;
+    return carry_out_polar(way, end);
+}
+
+/// Machine and program count X from the axis on, but for a tool's length.
+Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
+    const double tool_mm = machine_[kDepthLetter] - program_[kDepthLetter];
+    const double least_mm = way.least_radius_mm(0.0, 1.0);
+    const double core_mm = options_.drawing.core_mm;
+    const bool has_direction = least_mm >= kLeastPolarMm;
+    if (has_direction && least_mm + tool_mm >= core_mm - options_.drawing.core_half_pulse_mm)
+        return std::nullopt;
+    const PlanePoint there = way.at(way.nearest_share());
+    char text[200];
+    if (has_direction) {
+        std::snprintf(text, sizeof text,
+                      "at X %.4f C %.4f mm r1 comes to %.4f mm, and the core that it must not reach ends at "
+                      "%.4f mm",
+                      there.first_mm, there.second_mm, least_mm + tool_mm, core_mm);
+    } else {
+        std::snprintf(text, sizeof text, "at X %.4f C %.4f mm the way passes the axis", there.first_mm,
+                      there.second_mm);
+    }
+    return fault(words_.axis_column(), ProblemCode::core_radius, text);
+}
+
+/// Pieces of the way are halved until they are even enough.
+Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end) {
+    constexpr double kLeastChordMm = 1e-7;
+    const Position start = program_;
+    const double length_mm = std::hypot(way.length_mm(), end[1] - start[1], end[2] - start[2]);
+    const FeedAlong along{feed_of_length(length_mm), length_mm};
+    const double most_mm = std::max(chord_mm(), kLeastChordMm);
+    const double begin_rad = rad_from_deg(start[kTurnLetter]);
+    std::array<double, kMostHalvings> ends{1.0};
+    std::size_t open = 1;
+    double from = 0.0;
+    for (std::uint64_t count = 1; open > 0 && sink_.wants_more() && !is_too_far_;) {
+        const double to = ends[open - 1];
+        if (open < ends.size() && way.deviation_mm(from, to) > most_mm) {
+            ends[open++] = from + (to - from) / 2.0;
+            continue;
+        }
+        if (count++ > kMostDrawnChords)
+            return fault(words_.axis_column(), ProblemCode::out_of_range, "a way of more than 100000 chords");
+        Position at;
+        for (std::size_t letter = 0; letter < kLetterCount; ++letter)
+            at[letter] = to < 1.0 ? start[letter] + to * (end[letter] - start[letter]) : end[letter];
+        const PlanePoint there = way.at(to);
+        at[kDepthLetter] = std::hypot(there.first_mm, there.second_mm);
+        // The direction itself, with the turns that it has come to: nothing is summed up.
+        const double direction_rad = std::atan2(there.second_mm, there.first_mm);
+        const double turns = std::round((begin_rad + way.turned_rad(to) - direction_rad) / (2.0 * kPi));
+        at[kTurnLetter] = deg_from_rad(direction_rad) + turns * kDegPerRev;
+        emit_drawn(at, to - from, along, from == 0.0, --open == 0);
+        from = to;
+    }
+    return std::nullopt;
+}
+
+}  // namespace psicarve::gcode

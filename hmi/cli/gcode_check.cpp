@@ -8,6 +8,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/run_offsets.hpp"
 #include "hmi/gcode/canon_writer.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
@@ -66,6 +67,9 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
         machine = std::make_unique<gcode::MachineCheck>(*profile, problems);
         how.reference = gcode::MachineCheck::reference_of(*profile);
         how.is_start_known = false;
+        const auto offsets = kept_offsets(common, *profile);
+        if (!offsets) return offsets.error();
+        how.offsets = offsets->kept;
     }
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();

@@ -18,8 +18,8 @@ namespace {
 constexpr std::array<std::string_view, 7> kWritten{"--output", "--trace",     "--picture", "--preview",
                                                    "--piece",  "--deviation", "--csv"};
 constexpr std::array<std::string_view, 13> kRead{"--profile", "--offsets", "--model", "MODEL", "MODEL|JOB",
-                                                 "JOB|TRACE", "JOB_A",   "JOB_B", "FILE",
-                                                 "--program", "A",       "B",     "TRACE"};
+                                                 "JOB|TRACE", "JOB_A",     "JOB_B",   "FILE",  "--program",
+                                                 "A",         "B",         "TRACE"};
 
 template <typename Names>
 bool is_among(const Names& names, const std::string& name) {

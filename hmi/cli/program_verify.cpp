@@ -39,8 +39,9 @@ Result<JudgedOffsets> offsets_of_trace(const CommonOptions& common, const Profil
     }
     const auto now = kept_offsets(common, profile);
     if (!now) return now.error();
-    return JudgedOffsets{now->kept, place.path + " is not there; judged by the work offsets of now, --offsets FILE "
-                                                 "names those that the program began with"};
+    return JudgedOffsets{now->kept, place.path +
+                                        " is not there; judged by the work offsets of now, --offsets FILE "
+                                        "names those that the program began with"};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace psicarve::cli {
 namespace {
 
 /// Who sets offsets by hand has the lock no longer than that.
-constexpr std::chrono::milliseconds kLockLimit{2000};
+constexpr std::chrono::milliseconds kOffsetsHoldLimit{2000};
 constexpr std::chrono::seconds kBetweenStores{1};
 
 std::string path_from_root(const std::string& path) {
@@ -48,7 +48,7 @@ Result<RunOffsets> RunOffsets::read(const CommonOptions& common, const Profile& 
 
 Result<void> RunOffsets::hold() {
     if (!run_.keeps || !place_.is_kept()) return {};
-    auto lock = offsets::OffsetsLock::take(place_, kLockLimit);
+    auto lock = offsets::OffsetsLock::take(place_, kOffsetsHoldLimit);
     if (!lock && lock.error().code == ErrorCode::machine_refused) return lock.error();
     if (!lock) {
         print_warning(lock.error().message + "; what the program sets ends with it");

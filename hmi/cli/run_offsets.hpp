@@ -25,7 +25,7 @@ Result<offsets::Offsets> kept_offsets(const CommonOptions& common, const Profile
 class RunOffsets {
 public:
     struct Run {
-        std::string program;       ///< its file; empty: a stream
+        std::string program;  ///< its file; empty: a stream
         bool is_from_line = false;
         bool keeps = true;  ///< what it sets outlives it
     };

@@ -38,9 +38,10 @@ Result<OffsetsLock> OffsetsLock::take(const OffsetsPlace& place, std::chrono::mi
         if (left <= std::chrono::milliseconds{0}) break;
         std::this_thread::sleep_for(kLook);
     }
-    return Error{ErrorCode::machine_refused,
-                 "another process has the work offsets, as the one that runs a program has; wait for its end, "
-                 "or psicarve stop"};
+    return Error{
+        ErrorCode::machine_refused,
+        "another process has the work offsets, as the one that runs a program has; wait for its end, "
+        "or psicarve stop"};
 }
 
 }  // namespace psicarve::offsets

@@ -12,8 +12,8 @@ struct OffsetsPlace {
     /// By the environment. `segment_name` has its slash, as in Segment.
     static OffsetsPlace of(const std::string& segment_name, bool is_simulator);
 
-    std::string path;     ///< empty: nothing is kept
-    mode_t mode = 0644;   ///< of a new file
+    std::string path;    ///< empty: nothing is kept
+    mode_t mode = 0644;  ///< of a new file
     bool is_kept() const noexcept { return !path.empty(); }
 };
 

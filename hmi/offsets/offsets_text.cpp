@@ -110,17 +110,19 @@ public:
             }
             gcode::SystemOffset& system =
                 read.systems[static_cast<std::size_t>(found - kSystemNames.begin())];
-            system.origin = position(entry.key(), entry.value(), [&](const std::string& key, const Json& value) {
-                if (key != kRotation) return false;
-                system.rotation_deg = number(entry.key() + " R", value);
+            system.origin =
+                position(entry.key(), entry.value(), [&](const std::string& key, const Json& value) {
+                    if (key != kRotation) return false;
+                    system.rotation_deg = number(entry.key() + " R", value);
+                    return true;
+                });
+        }
+        read.shift =
+            position("g92", object_in(object, "g92"), [&](const std::string& key, const Json& value) {
+                if (key != "in_force" || !value.is_boolean()) return false;
+                read.is_shifted = value.get<bool>();
                 return true;
             });
-        }
-        read.shift = position("g92", object_in(object, "g92"), [&](const std::string& key, const Json& value) {
-            if (key != "in_force" || !value.is_boolean()) return false;
-            read.is_shifted = value.get<bool>();
-            return true;
-        });
         for (std::size_t which = 0; which < kReferenceNames.size(); ++which) {
             if (!object.contains(kReferenceNames[which])) continue;
             read.references[which] =
@@ -141,9 +143,8 @@ Error begin_anew(const std::string& what) {
 }  // namespace
 
 std::string text_of(const Offsets& offsets, const GcodeProfile& letters) {
-    Json object{{kFormatKey, kFormat},
-                {"letters", name_of_letters(letters)},
-                {"second_head", name_of_head(letters)}};
+    Json object{
+        {kFormatKey, kFormat}, {"letters", name_of_letters(letters)}, {"second_head", name_of_head(letters)}};
     object.update(json_of(offsets.kept));
     if (offsets.unfinished)
         object["unfinished"] = Json{{"program", offsets.unfinished->program},
@@ -158,8 +159,8 @@ Result<Offsets> offsets_from(std::string_view text, const GcodeProfile& letters)
     if (const auto format = object[kFormatKey].get<std::int64_t>(); format != kFormat)
         return begin_anew("has format " + std::to_string(format) + " of a newer psicarve; use that one");
     Reading reading;
-    reading.allow_only(object, {kFormatKey, "letters", "second_head", "systems", "g92", "g28", "g30",
-                                "unfinished"});
+    reading.allow_only(object,
+                       {kFormatKey, "letters", "second_head", "systems", "g92", "g28", "g30", "unfinished"});
     const auto is_word = [&](const char* key, std::string_view wanted) {
         return object.contains(key) && object[key].is_string() && object[key].get<std::string>() == wanted;
     };

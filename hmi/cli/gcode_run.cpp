@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "hmi/cli/commands.hpp"
@@ -48,7 +47,6 @@ constexpr CommandText kGcodeRunText{
     "  psicarve gcode run pocket.ngc --trace pins.vcd --json"};
 
 constexpr std::chrono::milliseconds kNumberLimit{5000};
-constexpr std::chrono::milliseconds kFirstRecordsLook{2};
 constexpr int kInputLook_ms = 100;
 constexpr std::uint32_t kNoOverride_percent = 100;
 constexpr std::uint32_t kMostLine = 4'000'000'000U;
@@ -66,17 +64,6 @@ Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBrea
     while (poll(&input, 1, kInputLook_ms) <= 0) {
         if (operator_break.was_asked()) return interrupted_before_it_began();
         if (const auto core = link.require_core(); !core) return core;
-    }
-    return {};
-}
-
-/// So that the core finds something to plan. Nothing was sent to it yet.
-Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
-                              const OperatorBreak& operator_break) {
-    while (feeder.records_written() == 0 && !feeder.is_done()) {
-        if (operator_break.was_asked()) return interrupted_before_it_began();
-        if (const auto core = link.require_core(); !core) return core;
-        std::this_thread::sleep_for(kFirstRecordsLook);
     }
     return {};
 }

@@ -29,6 +29,8 @@ public:
           follow_(std::move(follow)) {}
 
     Result<void> look(const CoreStatus& status);
+    /// Nobody is asked for anything: holds are not told.
+    void keep_quiet(const char* label) noexcept { quiet_label_ = label; }
     /// The highest feed that was seen, and whether the machine was held.
     std::uint32_t most_override_percent() const noexcept { return most_override_percent_; }
     bool was_held() const noexcept { return was_held_; }
@@ -44,6 +46,7 @@ private:
     ProgramHold told_hold_ = ProgramHold::none;
     std::uint32_t most_override_percent_ = 0;
     bool was_held_ = false;
+    const char* quiet_label_ = nullptr;  ///< null: holds are told
 };
 
 /// What a program that was run to its end came to.

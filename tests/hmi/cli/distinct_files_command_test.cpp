@@ -152,7 +152,7 @@ TEST_F(DistinctFilesOfACommand, AreOfNoOptionThatIsNotKnown) {
           "snapshot save", "snapshot info", "snapshot export", "snapshot diff", "replay",
           "verify",        "calibrate",     "latency",         "profile check", "profile show",
           "profile diff",  "profile set",   "profile path",    "status",        "pins",
-          "completion",    "gcode check",   "gcode run"}) {
+          "completion",    "gcode check",   "gcode run",       "gcode estimate"}) {
         auto arguments = words_of(command);
         arguments.emplace_back("--help");
         std::istringstream help{run(arguments).out};

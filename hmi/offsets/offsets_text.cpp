@@ -92,9 +92,9 @@ public:
             const std::string& key = entry.key();
             const std::size_t axis = key.size() == 1 ? kAxisLetters.find(key[0]) : std::string_view::npos;
             if (axis != std::string_view::npos) {
-                read[axis] = number(name + " " + key, entry.value());
+                read[axis] = number(std::string{name}.append(" ").append(key), entry.value());
             } else if (!take_other(key, entry.value())) {
-                refuse(name + " has no " + key);
+                refuse(std::string{name}.append(" has no ").append(key));
             }
         }
         return read;

@@ -16,6 +16,8 @@ void add_estimate(CommandSet& commands);
 void add_estop(CommandSet& commands);
 void add_forget(CommandSet& commands);
 void add_gcode_check(CommandSet& commands);
+void add_gcode_estimate(CommandSet& commands);
+void add_gcode_offsets(CommandSet& commands);
 void add_gcode_run(CommandSet& commands);
 void add_hold(CommandSet& commands);
 void add_home(CommandSet& commands);

@@ -8,6 +8,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/run_offsets.hpp"
 #include "hmi/gcode/canon_writer.hpp"
 #include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
@@ -68,6 +69,9 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
         how.reference = gcode::MachineCheck::reference_of(*profile);
         how.drawing = gcode::drawing_machine_of(*profile);
         how.is_start_known = false;
+        const auto offsets = kept_offsets(common, *profile);
+        if (!offsets) return offsets.error();
+        how.offsets = offsets->kept;
     }
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "hmi/cli/commands.hpp"
@@ -20,15 +19,13 @@
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/program_core.hpp"
+#include "hmi/cli/program_reading.hpp"
 #include "hmi/cli/program_ready.hpp"
 #include "hmi/cli/program_report.hpp"
 #include "hmi/cli/program_verify.hpp"
 #include "hmi/cli/program_watch.hpp"
 #include "hmi/cli/record_feeder.hpp"
-#include "hmi/gcode/axis_letters.hpp"
-#include "hmi/gcode/drawing_machine.hpp"
-#include "hmi/gcode/machine_check.hpp"
-#include "hmi/gcode/program_check.hpp"
+#include "hmi/cli/run_offsets.hpp"
 #include "hmi/machine/recorded_pins.hpp"
 #include "hmi/verify/judged_trace.hpp"
 #include "shared/machine/message_argument.hpp"
@@ -50,47 +47,9 @@ constexpr CommandText kGcodeRunText{
     "  psicarve gcode run pocket.ngc --trace pins.vcd --json"};
 
 constexpr std::chrono::milliseconds kNumberLimit{5000};
-constexpr std::chrono::milliseconds kFirstRecordsLook{2};
 constexpr int kInputLook_ms = 100;
 constexpr std::uint32_t kNoOverride_percent = 100;
 constexpr std::uint32_t kMostLine = 4'000'000'000U;
-
-struct GcodeRunOptions {
-    std::string path;
-    std::string dialect = "ngc";
-    std::uint32_t from_line = 0;
-    bool is_single = false;
-    bool stops_at_optional = false;
-    bool skips_deleted = false;
-    bool is_dry = false;
-    bool is_simulated = false;
-    std::string trace;
-    std::optional<gcode::FileState> state;  ///< of a file, as it is checked, run and judged
-
-    bool is_stream() const { return path == "-"; }
-};
-
-gcode::Position place_of(const Profile& profile, const CoreStatus& status) {
-    const gcode::AxisLetters letters{profile.gcode};
-    gcode::Position place{};
-    // r1 last: where r2 follows it, one letter stands for both.
-    for (const Axis axis : {Axis::r2, Axis::psi, Axis::y, Axis::r1}) {
-        place[letters.letter_of(axis)] = static_cast<double>(status.position_pulses[index_of(axis)]) /
-                                         axis_motion(profile, axis).pulses_per_unit;
-    }
-    return place;
-}
-
-gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Profile& profile,
-                                      const CoreStatus& status) {
-    gcode::InterpreterOptions how;
-    how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
-    how.skips_deleted = options.skips_deleted;
-    how.reference = gcode::MachineCheck::reference_of(profile);
-    how.drawing = gcode::drawing_machine_of(profile);
-    how.start = place_of(profile, status);
-    return how;
-}
 
 /// A dry run switches nothing, so it must be off.
 Result<void> require_spindle_off(const GcodeRunOptions& options, const CoreStatus& status) {
@@ -99,41 +58,12 @@ Result<void> require_spindle_off(const GcodeRunOptions& options, const CoreStatu
                  "the spindle is on; for a dry run switch it off: psicarve spindle off"};
 }
 
-/// Reads the whole file before the first pulse. Nothing: it is wrong, and that was told.
-Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
-                                                          const gcode::InterpreterOptions& how,
-                                                          const Profile& profile, const CommonOptions& common,
-                                                          const OperatorBreak& operator_break) {
-    gcode::ProblemList problems;
-    gcode::MachineCheck machine{profile, problems};
-    auto bytes = gcode::open_program(options.path);
-    if (!bytes) return bytes.error();
-    gcode::LineSource lines{std::move(bytes).value()};
-    const auto facts = interpret_patiently(lines, how, machine, problems, operator_break);
-    if (!facts) return facts.error();
-    print_problems(options.path, problems);
-    if (problems.error_count() == 0) return std::optional{*facts};
-    if (common.json) print_json_line(check_json(options.path, *facts, problems));
-    return std::optional<gcode::ProgramFacts>{};
-}
-
 /// A stream begins when its sender does: by then the machine may stand elsewhere.
 Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBreak& operator_break) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     while (poll(&input, 1, kInputLook_ms) <= 0) {
         if (operator_break.was_asked()) return interrupted_before_it_began();
         if (const auto core = link.require_core(); !core) return core;
-    }
-    return {};
-}
-
-/// So that the core finds something to plan. Nothing was sent to it yet.
-Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
-                              const OperatorBreak& operator_break) {
-    while (feeder.records_written() == 0 && !feeder.is_done()) {
-        if (operator_break.was_asked()) return interrupted_before_it_began();
-        if (const auto core = link.require_core(); !core) return core;
-        std::this_thread::sleep_for(kFirstRecordsLook);
     }
     return {};
 }
@@ -170,13 +100,14 @@ Result<int> report_end(const CommonOptions& common, const GcodeRunOptions& optio
 }
 
 Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, const GcodeRunOptions& options,
-                     const Profile& profile, OperatorBreak& operator_break, const PinsWork& work) {
+                     const Profile& profile, RunOffsets& offsets, OperatorBreak& operator_break,
+                     const PinsWork& work) {
     const auto status = link.status();
     if (!status) return status.error();
     if (const auto ready = require_ready(*status); !ready) return ready.error();
     if (const auto off = require_spindle_off(options, *status); !off) return off.error();
     if (const auto alike = require_heads_alike(profile, *status); !alike) return alike.error();
-    const gcode::InterpreterOptions how = language_of(options, profile, *status);
+    const gcode::InterpreterOptions how = language_of(options, profile, *status, offsets.begin());
     std::uint64_t line_count = 0;
     auto bytes = Result<gcode::ProgramBytes>{Error{ErrorCode::bad_input, {}}};
     if (options.is_stream()) {
@@ -194,6 +125,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     }
     auto writer = ProgramWriter::claim(link.segment());
     if (!writer) return writer.error();
+    if (const auto held = offsets.hold(); !held) return held.error();
     if (const auto begun = writer->begin(kNumberLimit); !begun) return begun.error();
     gcode::RunOptions steps;
     steps.from_line = options.from_line;
@@ -205,15 +137,17 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (feeder.records_written() == 0)
         return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, work);
     if (operator_break.was_asked()) return interrupted_before_it_began();
-    ProgramWatch watch{link, operator_break, line_count};
+    ProgramWatch watch{link, operator_break, line_count,
+                       [&](const ProgramReport& report) { offsets.watch(feeder.offsets(), report); }};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();
     feeder.give_up();
     feeder.wait();
+    const auto kept = offsets.finish(feeder.offsets(), program_report(link.segment()), ended.has_value());
     std::optional<Error> of_run;
     if (!ended) of_run = operator_break.was_asked() ? operator_break.error({}) : ended.error();
-    const auto failure =
-        failure_of(feeder, link.segment(), writer->program(), program_name(options.path), of_run);
+    auto failure = failure_of(feeder, link.segment(), writer->program(), program_name(options.path), of_run);
+    if (!failure && !kept) failure = kept.error();
     return report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt, work);
 }
 
@@ -235,9 +169,9 @@ std::string reason_not_to_judge(const GcodeRunOptions& options, const Profile& p
 }
 
 verify::JudgedProgram program_to_judge_by(const GcodeRunOptions& options, const Profile& profile,
-                                          std::uint32_t override_percent) {
-    return program_of_file(options.path, *options.state, language_of(options, profile, CoreStatus{}),
-                           override_percent);
+                                          const RunOffsets& offsets, std::uint32_t override_percent) {
+    return program_of_file(options.path, *options.state,
+                           language_of(options, profile, CoreStatus{}, offsets.begin()), override_percent);
 }
 
 /// Of a run that did not come to be judged the trace is finished, too.
@@ -250,27 +184,36 @@ Result<int> with_trace(Result<int> done, const Result<void>& trace) {
 
 /// A trace of old is not lost for a program that is wrong.
 Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions& options,
-                              const Profile& profile, const OperatorBreak& operator_break) {
+                              const Profile& profile, const RunOffsets& offsets,
+                              const OperatorBreak& operator_break) {
     if (options.trace.empty() || options.is_stream()) return true;
-    gcode::InterpreterOptions how = language_of(options, profile, CoreStatus{});
+    gcode::InterpreterOptions how = language_of(options, profile, CoreStatus{}, offsets.begin());
     how.start = how.reference;
     const auto facts = facts_of_right(options, how, profile, common, operator_break);
     if (!facts) return facts.error();
     return facts->has_value();
 }
 
+RunOffsets::Run offsets_run(const GcodeRunOptions& options, bool is_simulated) {
+    return {.program = options.is_stream() ? std::string{} : options.path,
+            .is_from_line = options.from_line > 1,
+            .keeps = !options.is_dry && !is_simulated};
+}
+
 /// On a core of our own: it is homed, and its pins are judged while it runs.
 Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& options) {
     const auto profile = chosen_profile(common);
     if (!profile) return profile.error();
+    auto offsets = RunOffsets::read(common, *profile, offsets_run(options, true));
+    if (!offsets) return offsets.error();
     OperatorBreak operator_break;
-    const auto worth = is_worth_a_trace(common, options, *profile, operator_break);
+    const auto worth = is_worth_a_trace(common, options, *profile, *offsets, operator_break);
     if (!worth) return worth.error();
     if (!*worth) return kExitBadInput;
     const bool is_there = Segment::attach(common.segment).has_value();
     ProgramCoreLaunch launch{common.segment, common.group, !is_there, options.trace, std::nullopt};
     if (reason_not_to_judge(options).empty())
-        launch.program = program_to_judge_by(options, *profile, kNoOverride_percent);
+        launch.program = program_to_judge_by(options, *profile, *offsets, kNoOverride_percent);
     auto core = ProgramCore::start(std::move(launch), *profile);
     if (!core) return core.error();
     print_note("the machine is simulated");
@@ -287,22 +230,24 @@ Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& op
         if (pins.unverified_reason.empty()) pins.verification = std::move(*report);
         return pins;
     };
-    auto done = run_read((*core)->link(), common, options, *profile, operator_break, {{}, judge});
+    auto done = run_read((*core)->link(), common, options, *profile, *offsets, operator_break, {{}, judge});
+    if (is_finished) offsets->write_beside(options.trace);
     if (is_finished || options.trace.empty()) return done;
     const auto report = (*core)->finish();
+    offsets->write_beside(options.trace);
     const bool is_lost = !report && report.error().code == ErrorCode::out_of_room;
     return with_trace(std::move(done), is_lost ? Result<void>{report.error()} : Result<void>{});
 }
 
 /// Judges the recording of a running core.
 Result<PinsVerdict> judged_recording(const GcodeRunOptions& options, const Profile& profile,
-                                     const ProgramRun& run) {
+                                     const RunOffsets& offsets, const ProgramRun& run) {
     PinsVerdict pins{{}, reason_not_to_judge(options, profile, run), options.trace};
     if (!pins.unverified_reason.empty()) return pins;
     auto trace = verify::open_trace(options.trace);
     if (!trace) return trace.error();
     const std::uint32_t most_percent = std::max(run.most_override_percent, kNoOverride_percent);
-    verify::ProgramVerifier verifier{program_to_judge_by(options, profile, most_percent), profile};
+    verify::ProgramVerifier verifier{program_to_judge_by(options, profile, offsets, most_percent), profile};
     auto report = verify::judged_trace(verifier, **trace, {});
     if (!report) return report.error();
     if (report->failure) return *report->failure;
@@ -314,6 +259,8 @@ Result<int> run_on_core(machine::MachineLink& link, const CommonOptions& common,
                         const GcodeRunOptions& options) {
     const auto profile = profile_of_core(link, common);
     if (!profile) return profile.error();
+    auto offsets = RunOffsets::read(common, *profile, offsets_run(options, false));
+    if (!offsets) return offsets.error();
     OperatorBreak operator_break;
     if (options.is_stream()) {
         if (const auto begun = wait_for_input(link, operator_break); !begun) return begun.error();
@@ -332,11 +279,13 @@ Result<int> run_on_core(machine::MachineLink& link, const CommonOptions& common,
         if (!recording) return PinsVerdict{{}, "no trace was asked for", {}};
         is_finished = true;
         if (const auto whole = recording->finish_file(); !whole) return whole.error();
-        return judged_recording(options, *profile, run);
+        return judged_recording(options, *profile, *offsets, run);
     };
-    auto done = run_read(link, common, options, *profile, operator_break, work);
-    if (is_finished || !recording) return done;
-    return with_trace(std::move(done), recording->finish_file());
+    auto done = run_read(link, common, options, *profile, *offsets, operator_break, work);
+    if (!recording) return done;
+    const auto whole = is_finished ? Result<void>{} : recording->finish_file();
+    offsets->write_beside(options.trace);
+    return is_finished ? std::move(done) : with_trace(std::move(done), whole);
 }
 
 Result<int> run(const CommonOptions& common, const GcodeRunOptions& asked) {

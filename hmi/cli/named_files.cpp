@@ -9,6 +9,7 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/model/source_name.hpp"
+#include "hmi/offsets/offsets_file.hpp"
 #include "shared/profile/profile_place.hpp"
 
 namespace psicarve::cli {
@@ -16,9 +17,9 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kWritten{"--output", "--trace",     "--picture", "--preview",
                                                    "--piece",  "--deviation", "--csv"};
-constexpr std::array<std::string_view, 12> kRead{"--profile", "--model", "MODEL", "MODEL|JOB",
-                                                 "JOB|TRACE", "JOB_A",   "JOB_B", "FILE",
-                                                 "--program", "A",       "B",     "TRACE"};
+constexpr std::array<std::string_view, 13> kRead{"--profile", "--offsets", "--model", "MODEL", "MODEL|JOB",
+                                                 "JOB|TRACE", "JOB_A",     "JOB_B",   "FILE",  "--program",
+                                                 "A",         "B",         "TRACE"};
 
 template <typename Names>
 bool is_among(const Names& names, const std::string& name) {
@@ -35,8 +36,11 @@ void add_files_of(const CLI::App& app, std::vector<NamedFile>& files) {
         if (!is_written && !is_among(kRead, name)) continue;
         // Standard input may be a file.
         const bool may_be_standard = reads_standard_input(*option);
-        for (const std::string& path : option->results())
+        for (const std::string& path : option->results()) {
             files.push_back({name, may_be_standard && path == "-" ? standard_input : path, is_written});
+            if (app.get_name() == "run" && name == "--trace")
+                files.push_back({"--trace (its offsets)", offsets::path_beside_trace(path), true});
+        }
     }
 }
 

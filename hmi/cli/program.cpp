@@ -58,6 +58,8 @@ void add_all_commands(CommandSet& commands) {
     CommandSet gcode = commands.group("gcode", "Check and run programs in G-code");
     add_gcode_check(gcode);
     add_gcode_run(gcode);
+    add_gcode_estimate(gcode);
+    add_gcode_offsets(gcode);
     add_replay(commands);
     add_verify(commands);
     add_calibrate(commands);

@@ -2,8 +2,10 @@
 #include "hmi/cli/program_ready.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string>
+#include <thread>
 
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
@@ -13,6 +15,8 @@
 
 namespace psicarve::cli {
 namespace {
+
+constexpr std::chrono::milliseconds kFirstRecordsLook{2};
 
 /// Takes motion for as long as nobody interrupts.
 class PatientSink : public gcode::CanonSink {
@@ -69,6 +73,16 @@ Result<void> require_heads_alike(const Profile& profile, const CoreStatus& statu
 
 Error interrupted_before_it_began() {
     return {ErrorCode::cancelled, "interrupted; nothing has moved"};
+}
+
+Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
+                              const OperatorBreak& operator_break) {
+    while (feeder.records_written() == 0 && !feeder.is_done()) {
+        if (operator_break.was_asked()) return interrupted_before_it_began();
+        if (const auto core = link.require_core(); !core) return core;
+        std::this_thread::sleep_for(kFirstRecordsLook);
+    }
+    return {};
 }
 
 Result<gcode::ProgramFacts> interpret_patiently(gcode::LineSource& lines,

@@ -3,6 +3,7 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/operator_break.hpp"
+#include "hmi/cli/record_feeder.hpp"
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/interpreter.hpp"
 #include "hmi/gcode/line_source.hpp"
@@ -24,6 +25,10 @@ Result<void> require_ready(const CoreStatus& status);
 Result<void> require_heads_alike(const Profile& profile, const CoreStatus& status);
 
 Error interrupted_before_it_began();
+
+/// So that the core finds something to plan. Nothing was sent to it yet.
+Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
+                              const OperatorBreak& operator_break);
 /// Reads a program for as long as nobody interrupts it; then that is the error.
 Result<gcode::ProgramFacts> interpret_patiently(gcode::LineSource& lines,
                                                 const gcode::InterpreterOptions& how, gcode::CanonSink& sink,

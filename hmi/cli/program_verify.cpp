@@ -2,12 +2,15 @@
 #include "hmi/cli/program_verify.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/gcode/drawing_machine.hpp"
+#include "hmi/cli/run_offsets.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/verify/judged_trace.hpp"
 
@@ -15,6 +18,32 @@ namespace psicarve::cli {
 namespace {
 
 constexpr double kPercent = 100.0;
+
+struct JudgedOffsets {
+    gcode::KeptOffsets kept;
+    std::string doubt;  ///< empty: the run began with them
+};
+
+/// Those that a file says, that the run has left beside its trace, or that the machine has now.
+Result<JudgedOffsets> offsets_of_trace(const CommonOptions& common, const Profile& profile,
+                                       const std::string& trace_path, const std::string& named) {
+    std::error_code none;
+    offsets::OffsetsPlace place;
+    place.path = named.empty() ? offsets::path_beside_trace(trace_path) : named;
+    if (!named.empty() || std::filesystem::exists(place.path, none)) {
+        if (named.empty() || std::filesystem::exists(named, none)) {
+            const auto read = offsets::read_offsets(place, profile.gcode);
+            if (!read) return read.error();
+            return JudgedOffsets{read->kept, {}};
+        }
+        return bad_input(named + ": there is no such file");
+    }
+    const auto now = kept_offsets(common, profile);
+    if (!now) return now.error();
+    return JudgedOffsets{now->kept, place.path +
+                                        " is not there; judged by the work offsets of now, --offsets FILE "
+                                        "names those that the program began with"};
+}
 
 }  // namespace
 
@@ -37,6 +66,9 @@ Result<int> verify_program(const CommonOptions& common, const std::string& trace
     language.skips_deleted = options.skips_deleted;
     language.reference = gcode::MachineCheck::reference_of(*profile);
     language.drawing = gcode::drawing_machine_of(*profile);
+    const auto offsets = offsets_of_trace(common, *profile, trace_path, options.offsets);
+    if (!offsets) return offsets.error();
+    language.offsets = offsets->kept;
     const auto state = gcode::state_of_program(options.program);
     if (!state) return state.error();
     const auto trace = verify::open_trace(trace_path);
@@ -47,6 +79,8 @@ Result<int> verify_program(const CommonOptions& common, const std::string& trace
         program_of_file(options.program, *state, language, options.override_percent), *profile};
     const auto report = verify::judged_trace(verifier, **trace, {});
     if (!report) return report.error();
+    const bool is_sure = offsets->doubt.empty() || (report->ok && offsets->kept == gcode::KeptOffsets{});
+    if (!is_sure) print_warning(offsets->doubt);
     if (report->failure) {
         Error failure = *report->failure;
         if (failure.message.starts_with("line ")) failure.message = options.program + ": " + failure.message;

@@ -15,6 +15,7 @@ namespace psicarve::cli {
 /// What `psicarve verify --program` is asked.
 struct ProgramVerifyOptions {
     std::string program;
+    std::string offsets;  ///< their file; empty: the one beside the trace
     std::string dialect = "ngc";
     bool skips_deleted = false;
     std::uint32_t override_percent = 100;

@@ -30,10 +30,11 @@ void ProgramWatch::tell_hold(const ProgramReport& report) {
 Result<void> ProgramWatch::look(const CoreStatus& status) {
     const ProgramReport report = program_report(link_.segment());
     const ProgramStatus& program = report.status;
-    tell_hold(report);
+    if (quiet_label_ == nullptr) tell_hold(report);
+    follow_(report);
     most_override_percent_ = std::max(most_override_percent_, status.override_percent);
     was_held_ = was_held_ || status.state == MachineState::held || program.starvations > 0;
-    bar_.relabel(std::string{name_of(status.state)});
+    bar_.relabel(quiet_label_ != nullptr ? std::string{quiet_label_} : std::string{name_of(status.state)});
     const double done =
         line_count_ == 0 ? 0.0 : static_cast<double>(program.line) / static_cast<double>(line_count_);
     bar_.update(std::min(done, 1.0), line_text(program));

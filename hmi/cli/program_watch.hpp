@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/operator_break.hpp"
@@ -17,11 +19,18 @@ namespace psicarve::cli {
 class ProgramWatch {
 public:
     /// `line_count`: of the program, 0: not known. All outlive this, `operator_break` until the report is
-    /// printed.
-    ProgramWatch(machine::MachineLink& link, OperatorBreak& operator_break, std::uint64_t line_count)
-        : link_(link), operator_break_(operator_break), bar_("starting"), line_count_(line_count) {}
+    /// printed. `follow`: who else looks.
+    ProgramWatch(machine::MachineLink& link, OperatorBreak& operator_break, std::uint64_t line_count,
+                 std::function<void(const ProgramReport&)> follow)
+        : link_(link),
+          operator_break_(operator_break),
+          bar_("starting"),
+          line_count_(line_count),
+          follow_(std::move(follow)) {}
 
     Result<void> look(const CoreStatus& status);
+    /// Nobody is asked for anything: holds are not told.
+    void keep_quiet(const char* label) noexcept { quiet_label_ = label; }
     /// The highest feed that was seen, and whether the machine was held.
     std::uint32_t most_override_percent() const noexcept { return most_override_percent_; }
     bool was_held() const noexcept { return was_held_; }
@@ -33,9 +42,11 @@ private:
     OperatorBreak& operator_break_;
     ProgressBar bar_;
     std::uint64_t line_count_;
+    std::function<void(const ProgramReport&)> follow_;
     ProgramHold told_hold_ = ProgramHold::none;
     std::uint32_t most_override_percent_ = 0;
     bool was_held_ = false;
+    const char* quiet_label_ = nullptr;  ///< null: holds are told
 };
 
 /// What a program that was run to its end came to.

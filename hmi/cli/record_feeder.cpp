@@ -29,6 +29,7 @@ public:
         for (;;) {
             const ProgramPut put = feeder_.writer_.put_for(record, kLook);
             if (put == ProgramPut::done) {
+                feeder_.offsets_.note(record.line);
                 feeder_.records_written_.fetch_add(1);
                 return {};
             }
@@ -44,8 +45,9 @@ private:
 /// What the machine has something against is not carried out, and nothing behind it.
 class RecordFeeder::JudgedMotion : public gcode::CanonSink {
 public:
-    JudgedMotion(const Profile& profile, gcode::ProblemList& problems, gcode::RecordMaker& maker)
-        : machine_(profile, problems), problems_(problems), maker_(maker) {}
+    JudgedMotion(const Profile& profile, gcode::ProblemList& problems, gcode::RecordMaker& maker,
+                 gcode::OffsetsLog& offsets)
+        : machine_(profile, problems), problems_(problems), maker_(maker), offsets_(offsets) {}
 
     void take(const gcode::CanonRecord& record) override {
         if (is_wrong()) return;
@@ -54,6 +56,9 @@ public:
     }
     void begin_line(const gcode::ReachedLine& line) override { maker_.begin_line(line); }
     void end_block() override { maker_.end_block(); }
+    void set_offsets(const gcode::KeptOffsets& kept) override {
+        if (!is_wrong()) offsets_.set(kept, maker_.record_count());
+    }
     bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
 
 private:
@@ -62,9 +67,11 @@ private:
     gcode::MachineCheck machine_;
     gcode::ProblemList& problems_;
     gcode::RecordMaker& maker_;
+    gcode::OffsetsLog& offsets_;
 };
 
-RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer) : writer_(writer) {
+RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer)
+    : writer_(writer), offsets_(program.language.offsets) {
     thread_ = std::thread{[this, profile, program = std::move(program)]() mutable {
         feed(std::move(program), profile);
         is_done_.store(true, std::memory_order_release);
@@ -96,7 +103,7 @@ gcode::ProgramBytes RecordFeeder::patient(gcode::ProgramBytes bytes, int awaited
 void RecordFeeder::feed(Program program, const Profile& profile) {
     Sink sink{*this};
     gcode::RecordMaker maker{profile, program.run, sink};
-    JudgedMotion motion{profile, problems_, maker};
+    JudgedMotion motion{profile, problems_, maker, offsets_};
     gcode::LineSource lines{patient(std::move(program.bytes), program.awaited_fd)};
     const auto facts = gcode::interpret_program(lines, program.language, motion, problems_);
     if (!facts) failure_ = facts.error();

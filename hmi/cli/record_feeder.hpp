@@ -9,6 +9,7 @@
 
 #include "hmi/gcode/interpreter.hpp"
 #include "hmi/gcode/line_source.hpp"
+#include "hmi/gcode/offsets_log.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/gcode/record_maker.hpp"
@@ -44,6 +45,9 @@ public:
     bool is_done() const noexcept { return is_done_.load(std::memory_order_acquire); }
     std::uint64_t records_written() const noexcept { return records_written_.load(); }
 
+    /// What the program sets that outlives it, as the machine comes to it.
+    gcode::OffsetsLog& offsets() noexcept { return offsets_; }
+
     // Once it is done:
     const gcode::ProblemList& problems() const noexcept { return problems_; }
     /// Of what was read.
@@ -63,6 +67,7 @@ private:
     std::atomic<bool> is_given_up_{false};
     std::atomic<bool> is_done_{false};
     std::atomic<std::uint64_t> records_written_{0};
+    gcode::OffsetsLog offsets_;
     gcode::ProblemList problems_;
     gcode::ProgramFacts facts_;
     std::optional<Error> failure_;

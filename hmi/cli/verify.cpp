@@ -155,6 +155,9 @@ void add_verify(CommandSet& commands) {
                 "Of the program, as for gcode run (default ngc)")
         .flag("--block-delete", options->program.skips_deleted,
               "Of the program: leave out blocks that begin with /")
+        .option(
+            "--offsets", options->program.offsets, "FILE",
+            "The work offsets that the program began with (default TRACE.offsets, which gcode run writes)")
         .option("--override", options->program.override_percent, 100, 200,
                 "The highest override [%] while the program ran (default 100)");
     add_piece_options(syntax, options->files);

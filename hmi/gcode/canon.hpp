@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "hmi/gcode/kept_offsets.hpp"
 #include "hmi/gcode/position.hpp"
 
 namespace psicarve::gcode {
@@ -68,6 +69,8 @@ public:
     virtual void begin_line(const ReachedLine&) {}
     /// What follows is of another block, though perhaps of the same line.
     virtual void end_block() {}
+    /// The program has set what outlives it; holds for the records that follow.
+    virtual void set_offsets(const KeptOffsets&) {}
     /// False: it has failed, and there is no use in reading on.
     virtual bool wants_more() const noexcept { return true; }
 };

@@ -24,6 +24,7 @@ struct InterpreterOptions {
     Dialect dialect = Dialect::ngc;
     bool skips_deleted = false;  ///< blocks that begin with / are left out
     Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
+    KeptOffsets offsets{};       ///< that it begins with
     Position start{};            ///< where the machine stands, machine coordinates
     bool is_start_known = true;  ///< it stands there; false: anywhere
     DrawingMachine drawing{};
@@ -105,6 +106,7 @@ private:
     Fault set_length();
     void set_system();
     Fault do_once();
+    void tell_offsets();
     Fault set_coordinates();
     void set_shift();
     void note_unknown(AxisMask& zeros, AxisMask axes, AxisMask unplaced) const noexcept;
@@ -170,6 +172,7 @@ private:
     CycleWords cycle_;
     WorkOffsets offsets_;
     std::array<Position, 2> references_;
+    std::array<bool, 2> are_references_set_;
     Position program_{};  ///< where the machine stands, in program coordinates
     Position machine_{};
     int motion_to_be_ = kNoCode;

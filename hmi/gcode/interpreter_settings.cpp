@@ -176,16 +176,20 @@ Interpreter::Fault Interpreter::do_once() {
             return set_coordinates();
         case 280:
             go_to_reference(0);
-            break;
+            refresh_program();
+            return std::nullopt;
         case 300:
             go_to_reference(1);
-            break;
+            refresh_program();
+            return std::nullopt;
         case 281:
             references_[0] = machine_;
+            are_references_set_[0] = true;
             unknown_.references[0] = static_cast<AxisMask>(kAllLetters & ~placed_);
             break;
         case 301:
             references_[1] = machine_;
+            are_references_set_[1] = true;
             unknown_.references[1] = static_cast<AxisMask>(kAllLetters & ~placed_);
             break;
         case 920:
@@ -205,7 +209,16 @@ Interpreter::Fault Interpreter::do_once() {
             return std::nullopt;
     }
     refresh_program();
+    tell_offsets();
     return std::nullopt;
+}
+
+void Interpreter::tell_offsets() {
+    KeptOffsets kept;
+    offsets_.keep(kept);
+    for (std::size_t which = 0; which < references_.size(); ++which)
+        if (are_references_set_[which]) kept.references[which] = references_[which];
+    sink_.set_offsets(kept);
 }
 
 Interpreter::Fault Interpreter::set_coordinates() {
@@ -239,6 +252,7 @@ Interpreter::Fault Interpreter::set_coordinates() {
     if (words_.has('R') && are_values_doubtful_)
         unknown_.origins[system] |= static_cast<AxisMask>(mask_of(0) | mask_of(1));
     refresh_program();
+    tell_offsets();
     return std::nullopt;
 }
 

@@ -31,6 +31,8 @@ public:
     void begin_line(const ReachedLine& line) override;
     void end_block() override { outlet_.end_block(); }
     bool wants_more() const noexcept override { return !outlet_.has_failed(); }
+    /// How many records there are until now, the one that is held back among them.
+    std::uint64_t record_count() const noexcept { return outlet_.record_count(); }
     /// The program has been read; one without an end gets it here. The first failure, if any.
     Result<void> finish();
 

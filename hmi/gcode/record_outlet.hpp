@@ -30,6 +30,8 @@ public:
     /// Nothing follows.
     void flush();
 
+    /// How many were put, the one that is held among them.
+    std::uint64_t record_count() const noexcept { return sequence_ + (held_ ? 1 : 0); }
     bool has_failed() const noexcept { return failure_.has_value(); }
     /// The first failure of the sink; none is taken after it.
     const std::optional<Error>& failure() const noexcept { return failure_; }

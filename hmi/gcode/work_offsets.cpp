@@ -16,6 +16,20 @@ void turn(Position& position, double sine, double cosine) noexcept {
 
 }  // namespace
 
+WorkOffsets::WorkOffsets(const KeptOffsets& kept) noexcept
+    : systems_(kept.systems),
+      shift_(kept.is_shifted ? kept.shift : Position{}),
+      kept_shift_(kept.shift),
+      is_shifted_(kept.is_shifted) {
+    refresh();
+}
+
+void WorkOffsets::keep(KeptOffsets& kept) const noexcept {
+    kept.systems = systems_;
+    kept.shift = kept_shift_;
+    kept.is_shifted = is_shifted_;
+}
+
 Position WorkOffsets::to_machine(const Position& program) const noexcept {
     Position machine;
     if (!is_turned()) {
@@ -29,7 +43,7 @@ Position WorkOffsets::to_machine(const Position& program) const noexcept {
     return machine;
 }
 
-Position WorkOffsets::unturned(const Position& machine, const System& system) const noexcept {
+Position WorkOffsets::unturned(const Position& machine, const SystemOffset& system) const noexcept {
     Position program;
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         program[axis] = machine[axis] - system.origin[axis] - tool_[axis];
@@ -45,7 +59,7 @@ Position WorkOffsets::to_program(const Position& machine) const noexcept {
 }
 
 void WorkOffsets::refresh() noexcept {
-    const System& system = systems_[active_];
+    const SystemOffset& system = systems_[active_];
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         sum_[axis] = system.origin[axis] + shift_[axis] + tool_[axis];
     sine_ = std::sin(rad_from_deg(system.rotation_deg));
@@ -69,7 +83,7 @@ void WorkOffsets::set_rotation(std::size_t system, double rotation_deg) noexcept
 
 void WorkOffsets::set_current(std::size_t system, const Position& machine, AxisMask axes,
                               const Position& program) noexcept {
-    System& changed = systems_[system];
+    SystemOffset& changed = systems_[system];
     Position wanted = unturned(machine, changed);
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         if ((axes & mask_of(axis)) != 0) wanted[axis] = program[axis] + shift_[axis];

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "hmi/gcode/kept_offsets.hpp"
 #include "hmi/gcode/position.hpp"
 
 namespace psicarve::gcode {
@@ -12,7 +13,12 @@ namespace psicarve::gcode {
 /// work coordinate system, about its zero, in X and Y.
 class WorkOffsets {
 public:
-    static constexpr std::size_t kSystemCount = 9;
+    static constexpr std::size_t kSystemCount = gcode::kSystemCount;
+
+    /// With those that were kept.
+    explicit WorkOffsets(const KeptOffsets& kept = {}) noexcept;
+    /// Fills in all that is kept, but for references.
+    void keep(KeptOffsets& kept) const noexcept;
 
     Position to_machine(const Position& program) const noexcept;
     Position to_program(const Position& machine) const noexcept;
@@ -43,15 +49,10 @@ public:
     void clear_tool() noexcept;                                     ///< G49
 
 private:
-    struct System {
-        Position origin{};
-        double rotation_deg = 0.0;
-    };
-
     void refresh() noexcept;
-    Position unturned(const Position& machine, const System& system) const noexcept;
+    Position unturned(const Position& machine, const SystemOffset& system) const noexcept;
 
-    std::array<System, kSystemCount> systems_{};
+    std::array<SystemOffset, kSystemCount> systems_{};
     std::size_t active_ = 0;
     Position shift_{};
     Position kept_shift_{};

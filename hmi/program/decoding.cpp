@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
+#include "hmi/offsets/offsets_file.hpp"
 
 namespace psicarve::program {
 namespace {
@@ -116,9 +119,21 @@ private:
     std::uint64_t noted_ = 0;  ///< all bytes before it
 };
 
-gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode::AxisLetters& letters) {
+Result<gcode::KeptOffsets> offsets_for(const DecodeRequest& request) {
+    if (request.segment_name.empty()) return gcode::KeptOffsets{};
+    const auto kept = offsets::read_offsets(
+        offsets::OffsetsPlace::of(request.segment_name, request.is_simulator), request.profile.gcode);
+    if (!kept) return kept.error();
+    std::error_code error;
+    const auto whole = std::filesystem::weakly_canonical(request.path, error);
+    return kept->begin_of(error ? request.path : whole.string(), request.from_line > 1);
+}
+
+gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode::AxisLetters& letters,
+                                       const gcode::KeptOffsets& offsets) {
     gcode::InterpreterOptions how;
     how.skips_deleted = request.skips_deleted;
+    how.offsets = offsets;
     how.reference = gcode::MachineCheck::reference_of(request.profile);
     how.drawing = gcode::drawing_machine_of(request.profile);
     how.is_start_known = request.start.has_value();
@@ -137,6 +152,8 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     const auto state = gcode::state_of_program(request.path);
     if (!state) return state.error();
     decoded->state = *state;
+    const auto offsets = offsets_for(request);
+    if (!offsets) return offsets.error();
     progress.bytes_total.store(static_cast<std::uint64_t>(std::max<std::int64_t>(state->bytes, 0)));
     auto opened = gcode::open_unchanged_program(request.path, *state);
     if (!opened) return opened.error();
@@ -148,7 +165,7 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     DecodeSinks sinks{{&machine, &sketch, &approach}, progress};
     gcode::LineSource lines{bytes.view()};
     const auto facts =
-        gcode::interpret_program(lines, language_for(request, letters), sinks, decoded->problems);
+        gcode::interpret_program(lines, language_for(request, letters, *offsets), sinks, decoded->problems);
     if (!facts) return facts.error();
     decoded->facts = *facts;
     if (const auto rest = bytes.note_rest(); !rest) return rest.error();

@@ -28,6 +28,9 @@ struct DecodeRequest {
     std::uint32_t from_line = 0;  ///< 0, 1: the first
     /// Where the machine stands [mm, degrees]; nothing: not known.
     std::optional<std::array<double, kAxisCount>> start;
+    /// Whose work offsets it begins with, as `psicarve gcode run` will; empty: without any.
+    std::string segment_name = {};
+    bool is_simulator = false;
 };
 
 /// What the program has come to when a line begins: what a run from there does first.

@@ -39,7 +39,8 @@ void ProgramDesk::decode_again(const session::MachineView& machine, const Profil
 void ProgramDesk::begin_decode(const session::MachineView& machine, const Profile& profile) {
     problem_ = {};
     ++edition_;
-    decoder_.begin({path_, profile, switches.skips_deleted, switches.from_line, known_place(machine)});
+    decoder_.begin({path_, profile, switches.skips_deleted, switches.from_line, known_place(machine),
+                    segment_name_, machine.is_simulator()});
 }
 
 void ProgramDesk::cancel() {
@@ -129,6 +130,8 @@ void ProgramDesk::run_block(const std::string& block, const session::MachineView
     DecodeRequest judged;
     judged.profile = *machine.profile;
     judged.start = known_place(machine);
+    judged.segment_name = segment_name_;
+    judged.is_simulator = machine.is_simulator();
     process_.begin_block(block, request(), judged);
 }
 

@@ -89,6 +89,14 @@ std::vector<std::string> state_folders_to_read() {
     return folders;
 }
 
+OffsetsFolder offsets_folder() {
+    if (is_set(kStateVariable)) return {text_of_variable(kStateVariable), false};
+    const std::string shared_folder = std::string{kSystemStateFolder} + "/offsets";
+    std::error_code error;
+    if (std::filesystem::is_directory(shared_folder, error)) return {shared_folder, true};
+    return {state_folder_of_user(), false};
+}
+
 StateNames::StateNames(const std::string& folder, const std::string& segment_name, bool is_simulated)
     : base(folder + "/" + segment_name.substr(segment_name.starts_with("/") ? 1 : 0)),
       is_simulator(is_simulated) {}

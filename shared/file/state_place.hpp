@@ -20,6 +20,15 @@ std::string state_folder_of_core(bool is_of_system);
 /// where that is empty; else both, their own and kSystemStateFolder.
 std::vector<std::string> state_folders_to_read();
 
+/// The folder in which the operator's programs keep a machine's work offsets.
+struct OffsetsFolder {
+    std::string path;        ///< empty: nothing is kept
+    bool is_shared = false;  ///< by all users who may write there
+};
+/// $PSICARVE_STATE, and none where that is empty; else offsets in kSystemStateFolder where that is there, for
+/// all operators of the computer's machine; else psicarve in $XDG_STATE_HOME (~/.local/state).
+OffsetsFolder offsets_folder();
+
 /// How a core keeps its checkpoint on a disk, as its segment says. The segment has no room for a path, only
 /// for a mark of it: a reader that has a folder in mind can compare.
 struct CoreKeeping {
@@ -51,6 +60,8 @@ struct StateNames {
     StateNames(const std::string& folder, const std::string& segment_name, bool is_simulated);
 
     std::string checkpoint() const { return base + (is_simulator ? ".simulated" : ".checkpoint"); }
+    /// Kept by the operator's programs.
+    std::string offsets() const { return base + (is_simulator ? ".simulated-offsets" : ".offsets"); }
     /// One name for each job, so that a job never replaces another under its name.
     std::string job(std::uint64_t job_checksum) const;
     /// Whether job() gives this name to any job.

@@ -187,6 +187,8 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         {.begins = "psicarve snapshot diff", .before = two_snapshots, .exit_code = 6},
         {.begins = "psicarve replay", .before = short_job},
         {.begins = "psicarve gcode run", .before = homed},
+        {.begins = "psicarve gcode offsets set", .exit_code = 3, .says = "nothing is kept"},
+        {.begins = "psicarve gcode offsets clear", .exit_code = 3, .says = "nothing is kept"},
         {.begins = "psicarve calibrate --profile machine.toml --pin", .before = with_its_profile},
         {
             .begins = "psicarve calibrate --profile machine.toml --",

@@ -27,8 +27,19 @@ void ProgramRule::report(std::int64_t time_ns, Offence offence, std::uint64_t li
     log_.describe(std::move(offence), place);
 }
 
+/// From the end of the way before, or from leaving the rest that is there.
+void ProgramRule::note_kind(const Live& way) {
+    const std::int64_t left_ns = way.begun_ns.value_or(way_over_ns_);
+    const std::int64_t begun_ns = is_way_from_rest_ ? std::max(way_over_ns_, left_ns) : way_over_ns_;
+    const std::int64_t taken_ns = std::max<std::int64_t>(way.ended_ns - begun_ns, 0);
+    (way.demand.seconds > 0.0 ? times_.feed_s : times_.rapid_s) += seconds_from_ns(taken_ns);
+    way_over_ns_ = std::max(way_over_ns_, way.ended_ns);
+    is_way_from_rest_ = way.demand.is_exact;
+}
+
 /// Way after way, in their order.
 void ProgramRule::note_time(const Live& way) {
+    note_kind(way);
     Stretch& all = stretch_;
     if (all.ways++ == 0) {
         all.begun_ns = way.begun_ns.value_or(way.ended_ns);
@@ -72,6 +83,7 @@ void ProgramRule::judge_time(const Live& way) {
 void ProgramRule::note_lowered(const Live& way, double taken_s) {
     if (stretch_.asked_s >= kHardlyLowered * taken_s) return;
     lowered_s_ += taken_s - stretch_.asked_s;
+    ++lowered_count_;
     const LoweredFeed now{stretch_.first_line, way.demand.line, stretch_.asked_s, taken_s};
     const auto worse = [](const LoweredFeed& one, const LoweredFeed& other) {
         return one.lost_s() > other.lost_s();

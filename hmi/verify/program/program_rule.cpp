@@ -39,6 +39,10 @@ void ProgramRule::start(const Positions& positions) {
     stretch_ = {};
     lowered_.clear();
     lowered_s_ = 0.0;
+    lowered_count_ = 0;
+    times_ = {};
+    way_over_ns_ = 0;
+    is_way_from_rest_ = true;
     bounds_ = {positions, positions};
     most_off_mm_ = 0.0;
 }

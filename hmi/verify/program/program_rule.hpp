@@ -30,6 +30,12 @@ struct LoweredFeed {
 /// No more are kept: those that cost most time.
 inline constexpr std::size_t kMostLowered = 20;
 
+/// How long a program moved; what its run took beyond that are rests.
+struct ProgramTimes {
+    double feed_s = 0.0;   ///< along ways with a feed
+    double rapid_s = 0.0;  ///< along the others
+};
+
 /// Where the axes were during a program.
 struct ProgramBounds {
     Positions least_pulses{};
@@ -69,6 +75,9 @@ public:
     const std::vector<LoweredFeed>& lowered() const noexcept { return lowered_; }
     /// How long ways with a feed took longer than they ask for, all together.
     double lowered_seconds() const noexcept { return lowered_s_; }
+    /// How many stretches were lowered, those that are not kept among them.
+    std::uint64_t lowered_count() const noexcept { return lowered_count_; }
+    const ProgramTimes& times() const noexcept { return times_; }
     const ProgramBounds& bounds() const noexcept { return bounds_; }
     /// Why the program could not be read.
     std::optional<Error> failure() const { return ways_ ? ways_->failure() : std::nullopt; }
@@ -116,6 +125,7 @@ private:
     bool has_missed(const Live& way) const noexcept;
     void leave_behind();
     void note_time(const Live& way);
+    void note_kind(const Live& way);
     void judge_time(const Live& last);
     void note_lowered(const Live& last, double taken_s);
     void judge_end(std::int64_t time_ns);
@@ -147,6 +157,10 @@ private:
     double most_off_mm_ = 0.0;
     std::vector<LoweredFeed> lowered_;
     double lowered_s_ = 0.0;
+    std::uint64_t lowered_count_ = 0;
+    ProgramTimes times_;
+    std::int64_t way_over_ns_ = 0;  ///< the last way that is done
+    bool is_way_from_rest_ = true;  ///< the next one
     ProgramBounds bounds_;
 };
 

@@ -49,6 +49,8 @@ ProgramVerifyReport ProgramVerifier::finish() {
     report.events = s.pins.events();
     report.lowered = s.path.lowered();
     report.lowered_seconds = s.path.lowered_seconds();
+    report.lowered_count = s.path.lowered_count();
+    report.times = s.path.times();
     report.bounds = s.path.bounds();
     report.failure = s.path.failure();
     report.ok = first_offence_of(report.rules) == nullptr && !report.failure;

@@ -29,6 +29,8 @@ struct ProgramVerifyReport {
     std::uint64_t events = 0;
     std::vector<LoweredFeed> lowered;  ///< the worst first
     double lowered_seconds = 0.0;      ///< longer than the feeds ask for
+    std::uint64_t lowered_count = 0;   ///< all of them
+    ProgramTimes times;
     ProgramBounds bounds;
     std::optional<Error> failure;  ///< the program could not be read: nothing is verified
 };

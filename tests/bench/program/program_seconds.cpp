@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/gcode/record_maker.hpp"
@@ -75,6 +76,7 @@ int tell(const std::string& path, const Profile& profile) {
     const auto steps = std::make_shared<StepList>(profile, start);
     gcode::InterpreterOptions options;
     options.reference = options.start = gcode::MachineCheck::reference_of(profile);
+    options.drawing = gcode::drawing_machine_of(profile);
     gcode::RecordMaker maker{profile, {}, *steps};
     gcode::ProblemList problems;
     gcode::LineSource lines{bytes_of_file(path)};

@@ -63,6 +63,9 @@ TEST_F(DistinctFilesOfACommand, AreHeldToByAllThatWriteOfAJob) {
     expect_refused({"replay", file("j.job"), "--trace", file("j.job")}, "--trace", "JOB|TRACE");
     expect_refused({"carve", file("m.stl"), "--trace", file("m.stl")}, "--trace", "MODEL|JOB");
     expect_refused({"gcode", "run", file("m.stl"), "--trace", file("m.stl")}, "--trace", "FILE");
+    std::filesystem::copy_file(file("m.stl"), file("m.offsets"));
+    expect_refused({"gcode", "run", file("m.offsets"), "--trace", file("m")}, "--trace (its offsets)",
+                   "FILE");
     expect_refused({"carve", file("m.stl"), "--piece", file("hard")}, "--piece", "MODEL|JOB");
     expect_refused({"carve", file("j.job"), "--model", file("m.stl"), "--piece", file("m.stl")}, "--piece",
                    "--model");
@@ -138,7 +141,7 @@ TEST_F(DistinctFilesOfACommand, AreOfNoOptionThatIsNotKnown) {
     const std::set<std::string> known{"--profile", "--output",    "--trace", "--picture", "--preview",
                                       "--piece",   "--deviation", "--csv",   "--model",   "MODEL",
                                       "MODEL|JOB", "JOB|TRACE",   "JOB_A",   "JOB_B",     "FILE",
-                                      "A",         "B",           "TRACE",   "--program"};
+                                      "A",         "B",           "TRACE",   "--program", "--offsets"};
     const std::set<std::string> no_files{"SIGNAL", "SHELL", "--state"};
     const std::regex positional{"^  ([A-Z][A-Z_|]*)(?: REQUIRED)?(?: .*)?$"};
     const std::regex option{
@@ -149,7 +152,7 @@ TEST_F(DistinctFilesOfACommand, AreOfNoOptionThatIsNotKnown) {
           "snapshot save", "snapshot info", "snapshot export", "snapshot diff", "replay",
           "verify",        "calibrate",     "latency",         "profile check", "profile show",
           "profile diff",  "profile set",   "profile path",    "status",        "pins",
-          "completion",    "gcode check",   "gcode run"}) {
+          "completion",    "gcode check",   "gcode run",       "gcode estimate"}) {
         auto arguments = words_of(command);
         arguments.emplace_back("--help");
         std::istringstream help{run(arguments).out};

@@ -38,6 +38,8 @@ const std::vector<std::string> kCommands{"carve",
                                          "snapshot diff",
                                          "gcode check",
                                          "gcode run",
+                                         "gcode estimate",
+                                         "gcode offsets",
                                          "replay",
                                          "verify",
                                          "calibrate",
@@ -108,7 +110,7 @@ TEST(Commands, AreExactlyThoseOfTheList) {
     }
     EXPECT_EQ(listed({"--help"}), expected);
     EXPECT_EQ(listed({"snapshot", "--help"}), (std::vector<std::string>{"save", "info", "export", "diff"}));
-    EXPECT_EQ(listed({"gcode", "--help"}), (std::vector<std::string>{"check", "run"}));
+    EXPECT_EQ(listed({"gcode", "--help"}), (std::vector<std::string>{"check", "run", "estimate", "offsets"}));
     EXPECT_EQ(listed({"profile", "--help"}),
               (std::vector<std::string>{"check", "show", "path", "diff", "set"}));
 }

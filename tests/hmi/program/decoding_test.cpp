@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <thread>
 
+#include "hmi/offsets/offsets_file.hpp"
+#include "hmi/offsets/offsets_lock.hpp"
 #include "tests/shared/temporary_folder.hpp"
 
 namespace psicarve::program {
@@ -91,6 +96,36 @@ TEST_F(Decoding, BeginsWhereTheMachineStands) {
     EXPECT_DOUBLE_EQ((*read)->path.back().place[index_of(Axis::y)], 12.0);
     EXPECT_DOUBLE_EQ((*read)->path.back().place[index_of(Axis::r2)], 41.0);
     EXPECT_EQ(progress.bytes_done.load(), 13U);
+}
+
+TEST_F(Decoding, BeginsWithTheOffsetsOfItsMachine) {
+    setenv("PSICARVE_STATE", folder_.path("state").c_str(), 1);
+    DecodeRequest request;
+    request.path = file("G0 Y5\nM2\n");
+    request.segment_name = "/psicarve-decoded";
+    const auto place = offsets::OffsetsPlace::of(request.segment_name, false);
+    ASSERT_TRUE(offsets::OffsetsLock::take(place, std::chrono::milliseconds{0}));
+    offsets::Offsets kept;
+    kept.kept.systems[0].origin[1] = 3.0;
+    kept.unfinished = offsets::Unfinished{std::filesystem::canonical(request.path).string(), {}};
+    ASSERT_TRUE(offsets::write_offsets(place, kept, {}));
+    const auto y_mm = [&request] {
+        DecodeProgress progress;
+        const auto read = decode(request, progress);
+        EXPECT_TRUE(read);
+        return read ? (*read)->path.back().place[index_of(Axis::y)] : -1.0;
+    };
+    EXPECT_DOUBLE_EQ(y_mm(), 8.0);
+    request.from_line = 2;
+    EXPECT_DOUBLE_EQ(y_mm(), 5.0);
+    request.is_simulator = true;
+    request.from_line = 1;
+    EXPECT_DOUBLE_EQ(y_mm(), 5.0);
+    request.is_simulator = false;
+    std::ofstream{place.path} << "junk";
+    DecodeProgress progress;
+    EXPECT_FALSE(decode(request, progress));
+    setenv("PSICARVE_STATE", "", 1);
 }
 
 TEST_F(Decoding, EndsWhenItIsCancelledAndSaysSo) {

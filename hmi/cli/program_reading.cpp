@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/cli/program_reading.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "hmi/cli/gcode_problems.hpp"
+#include "hmi/cli/program_ready.hpp"
+#include "hmi/gcode/axis_letters.hpp"
+#include "hmi/gcode/drawing_machine.hpp"
+#include "hmi/gcode/machine_check.hpp"
+
+namespace psicarve::cli {
+namespace {
+
+gcode::Position place_of(const Profile& profile, const CoreStatus& status) {
+    const gcode::AxisLetters letters{profile.gcode};
+    gcode::Position place{};
+    // r1 last: where r2 follows it, one letter stands for both.
+    for (const Axis axis : {Axis::r2, Axis::psi, Axis::y, Axis::r1}) {
+        place[letters.letter_of(axis)] = static_cast<double>(status.position_pulses[index_of(axis)]) /
+                                         axis_motion(profile, axis).pulses_per_unit;
+    }
+    return place;
+}
+
+}  // namespace
+
+gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Profile& profile,
+                                      const CoreStatus& status, const gcode::KeptOffsets& offsets) {
+    gcode::InterpreterOptions how;
+    how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
+    how.skips_deleted = options.skips_deleted;
+    how.reference = gcode::MachineCheck::reference_of(profile);
+    how.drawing = gcode::drawing_machine_of(profile);
+    how.offsets = offsets;
+    how.start = place_of(profile, status);
+    return how;
+}
+
+Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
+                                                          const gcode::InterpreterOptions& how,
+                                                          const Profile& profile, const CommonOptions& common,
+                                                          const OperatorBreak& operator_break) {
+    gcode::ProblemList problems;
+    gcode::MachineCheck machine{profile, problems};
+    auto bytes = gcode::open_program(options.path);
+    if (!bytes) return bytes.error();
+    gcode::LineSource lines{std::move(bytes).value()};
+    const auto facts = interpret_patiently(lines, how, machine, problems, operator_break);
+    if (!facts) return facts.error();
+    print_problems(options.path, problems);
+    if (problems.error_count() == 0) return std::optional{*facts};
+    if (common.json) print_json_line(check_json(options.path, *facts, problems));
+    return std::optional<gcode::ProgramFacts>{};
+}
+
+}  // namespace psicarve::cli

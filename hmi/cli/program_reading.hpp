@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "hmi/cli/command_set.hpp"
+#include "hmi/cli/operator_break.hpp"
+#include "hmi/gcode/interpreter.hpp"
+#include "hmi/gcode/line_source.hpp"
+#include "hmi/gcode/program_check.hpp"
+#include "shared/base/result.hpp"
+#include "shared/machine/status.hpp"
+#include "shared/profile/profile.hpp"
+
+namespace psicarve::cli {
+
+/// A program in G-code, and how it is to be run.
+struct GcodeRunOptions {
+    std::string path;
+    std::string dialect = "ngc";
+    std::uint32_t from_line = 0;
+    bool is_single = false;
+    bool stops_at_optional = false;
+    bool skips_deleted = false;
+    bool is_dry = false;
+    bool is_simulated = false;
+    std::string trace;
+    std::optional<gcode::FileState> state{};  ///< of a file, as it is checked, run and judged
+
+    bool is_stream() const { return path == "-"; }
+};
+
+/// How the program is read. It begins where the machine stands.
+gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Profile& profile,
+                                      const CoreStatus& status, const gcode::KeptOffsets& offsets);
+
+/// Reads the whole file before the first pulse. Nothing: it is wrong, and that was told.
+Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
+                                                          const gcode::InterpreterOptions& how,
+                                                          const Profile& profile, const CommonOptions& common,
+                                                          const OperatorBreak& operator_break);
+
+}  // namespace psicarve::cli

@@ -55,7 +55,7 @@ protected:
 };
 
 const std::string kStopped =
-    "G21 G90 F300\nG0 X40\nG10 L2 P1 X1\nG92 Y0\nG0 X41\nM0\nG10 L2 P1 X2\nG0 X42\nM2\n";
+    "G21 G90 F300\nG0 X40\nG10 L2 P1 X[#5221+1]\nG92 Y0\nG0 X41\nM0\nG10 L2 P1 X[#5221+1]\nG0 X42\nM2\n";
 
 TEST_F(KeptOffsetsOf, AProgramAreThoseOfTheNextAlsoOfAnotherCore) {
     start_homed();

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `psicarve gcode run` records of a program, and how `psicarve verify --program` judges it.
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "shared/base/units.hpp"
 #include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 #include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"

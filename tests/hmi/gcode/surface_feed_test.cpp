@@ -18,9 +18,7 @@ Profile surface_profile() {
 
 /// Of the last cutting move of a program that begins with these blocks.
 CanonRecord last_cut(const std::string& blocks, const Profile& profile = surface_profile()) {
-    InterpreterOptions options;
-    options.drawing = drawing_machine_of(profile);
-    const auto read = read_program("G21 G90 F300\n" + blocks + "\nM2\n", options, &profile);
+    const auto read = read_program("G21 G90 F300\n" + blocks + "\nM2\n", machine_options(profile), &profile);
     EXPECT_EQ(read->faults(), Faults{}) << blocks;
     CanonRecord last;
     for (const CanonRecord& record : read->records)

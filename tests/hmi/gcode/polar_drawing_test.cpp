@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// G7.1 and G12.1: what is drawn, and what the axes do.
+// G12.1: what is drawn, and what the axes do.
 #include <cmath>
 #include <random>
 
@@ -10,17 +10,11 @@
 namespace psicarve::gcode {
 namespace {
 
-constexpr double kOwnToleranceMm = 0.01;
 /// Where r1 and psi stand, in the cross-section, and a share of the way between both.
 PlanePoint cross_section_at(const CanonRecord& record, double share) {
     const double radius_mm = record.start[0] + share * (record.end[0] - record.start[0]);
     const double angle_rad = rad_from_deg(record.start[5] + share * (record.end[5] - record.start[5]));
     return {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
-}
-
-PlanePoint surface_at(const CanonRecord& record, double share, double radius_mm) {
-    return {rad_from_deg(record.start[5] + share * (record.end[5] - record.start[5])) * radius_mm,
-            record.start[1] + share * (record.end[1] - record.start[1])};
 }
 
 TEST(Polar, WaysKeepTheirShareOfTheToleranceWhateverIsDrawn) {
@@ -131,23 +125,6 @@ TEST(Polar, MovesOtherAxesEvenlyAlong) {
     EXPECT_NEAR(along_mm, std::sqrt(20.0 * 20.0 + 30.0 * 30.0 + 10.0 * 10.0), 1e-9);
 }
 
-TEST(Polar, RefusesAWayThroughTheCoreWithThePoint) {
-    Profile profile;
-    profile.core_radius_mm = 5.0;
-    const auto read = drawn(kPolar + "G1 X20 C4\nX-20\nX-20 C6\nX20\nM2\n", profile);
-    ASSERT_FALSE(read->problems.errors().empty());
-    EXPECT_EQ(read->faults(), Faults{"5:1 core_radius"});
-    EXPECT_EQ(read->problems.errors().front().what,
-              "at X 0.0000 C 4.0000 mm r1 comes to 4.0000 mm, and the core that it must not reach ends at "
-              "5.0000 mm");
-    // To the pulse: 400 of them a mm.
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4.999\nX-20\nM2\n", profile), Faults{});
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4.998\nX-20\nM2\n", profile), Faults{"5:1 core_radius"});
-    // An arc over the axis' other side, and one that keeps out.
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20\nG3 X-3 I-11.5\nM2\n", profile), Faults{"5:4 core_radius"});
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20\nG3 X-20 I-20\nM2\n", profile), Faults{});
-}
-
 TEST(Polar, RefusesTheAxisWhereNoMachineIsAsked) {
     const auto read = read_program("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X-40\nM2\n");
     ASSERT_FALSE(read->problems.errors().empty());
@@ -163,14 +140,6 @@ TEST(Polar, CountsAToolsLengthToTheCore) {
               Faults{});
     EXPECT_EQ(drawn_faults("G21 G90 F300\nG43.1 X-3\nG0 X40 C0\nG12.1\nG1 X20 C7\nX-20\nM2\n", profile),
               Faults{"6:1 core_radius"});
-}
-
-TEST(Polar, KeepsBothHeadsOutOfTheirCoresWhereTheSecondFollows) {
-    Profile profile;
-    profile.gcode.second_head = SecondHead::follow;
-    profile.core_radius_mm = 5.0;
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4\nX-20\nM2\n", profile), Faults{"5:1 core_radius"});
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C6\nX-20\nM2\n", profile), Faults{});
 }
 
 TEST(Polar, TellsOnceThatAWayLeavesTheTravel) {
@@ -225,74 +194,6 @@ TEST(Polar, GoesOnFromALineWithinIt) {
     ASSERT_GT(ends_of(whole).size(), 8U);
     EXPECT_EQ(ends_of(part), ends_of(whole));
     EXPECT_LT(part.ways().size(), whole.ways().size());
-}
-
-TEST(Cylinder, DrawsLinesStraightWithTheFeedOfTheUnrolledSurface) {
-    const auto read = drawn(kCylinder + "G1 X45 Y60 C90\nG7.1 C0\nG1 C0\nM2\n");
-    ASSERT_EQ(read->faults(), Faults{});
-    const auto ways = of_line(*read, 4);
-    ASSERT_EQ(ways.size(), 1U);
-    const double turned_mm = 45.0 * kPi / 2.0;
-    EXPECT_NEAR(ways[0].length, std::sqrt(25.0 + 100.0 + turned_mm * turned_mm), 1e-9);
-    EXPECT_DOUBLE_EQ(ways[0].feed_per_min, 300.0);
-    // Behind it C alone turns by degrees a minute.
-    EXPECT_DOUBLE_EQ(of_line(*read, 6).back().length, 90.0);
-}
-
-TEST(Cylinder, DrawsCirclesWithinTheirShareOfTheTolerance) {
-    const auto read = drawn(kCylinder + "G2 I10 J4 X45\nG7.1 C0\nM2\n");
-    ASSERT_EQ(read->faults(), Faults{});
-    const auto chords = of_line(*read, 4);
-    ASSERT_GT(chords.size(), 16U);
-    double along_mm = 0.0;
-    for (const CanonRecord& chord : chords) {
-        along_mm += chord.length;
-        for (double share = 0.0; share <= 1.0; share += 0.125) {
-            const PlanePoint there = surface_at(chord, share, 45.0);
-            EXPECT_NEAR(std::hypot(there.first_mm - 10.0, there.second_mm - 54.0), std::hypot(10.0, 4.0),
-                        kOwnToleranceMm / 4.0 + 1e-9);
-        }
-    }
-    EXPECT_NEAR(along_mm, std::hypot(2.0 * kPi * std::hypot(10.0, 4.0), 5.0), 1e-9);
-    EXPECT_EQ(chords.back().end, (Position{45.0, 50.0}));
-    // Clockwise with C to the right and Y up: from the left over the top.
-    EXPECT_GT(chords[4].end[1], 50.0);
-}
-
-TEST(Cylinder, DrawsWithZToTheRightAsLathesDo) {
-    Profile profile;
-    profile.gcode.letters = AxisNames::turning;
-    const auto read =
-        drawn("G21 G90 F300\nG0 X50 Z50 C0\nG7.1 C45\nG2 K10\nG2 C20 Z60 R40\nG7.1 C0\nM2\n", profile);
-    ASSERT_EQ(read->faults(), Faults{});
-    const auto chords = of_line(*read, 4);
-    for (const CanonRecord& chord : chords)
-        EXPECT_NEAR(std::hypot(rad_from_deg(chord.end[5]) * 45.0, chord.end[2] - 60.0), 10.0, 1e-9);
-    EXPECT_GT(chords[4].end[5], 0.0);
-    EXPECT_EQ(of_line(*read, 5).back().end[5], 20.0);
-}
-
-TEST(Cylinder, TakesItsRadiusInTheProgramsUnits) {
-    const auto read = drawn("G20 G90 F10\nG0 X2 Y2 C0\nG7.1 C1\nG1 C180\nG7.1 C0\nM2\n");
-    EXPECT_NEAR(of_line(*read, 4).back().length, 25.4 * kPi, 1e-9);
-}
-
-TEST(Cylinder, TurnsInTheAirAsItIsDrawn) {
-    Profile profile;
-    profile.gcode.turns_shortest = true;
-    const auto last_turn = [&](const std::string& more) {
-        const auto made = made_records("G21 G90\nG0 X50 Y50 C0\n" + more + "M2\n", {}, profile);
-        EXPECT_EQ(made.failure, "");
-        return made.ways().back().target[index_of(Axis::psi)];
-    };
-    EXPECT_DOUBLE_EQ(last_turn("G7.1 C45\nG0 C350\nG7.1 C0\n"), 350.0);
-    EXPECT_DOUBLE_EQ(last_turn("G0 C350\n"), -10.0);
-}
-
-TEST(Cylinder, OfAnArcFromAnywhereJudgesTheEnd) {
-    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X50\nG7.1 C45\nG2 C20 Y160 R500\nG7.1 C0\nM2\n"),
-              Faults{"4:4 outside_travel"});
-    EXPECT_EQ(drawn_faults(kCylinder + "G2 C0 Y149 R-55\nG7.1 C0\nM2\n"), Faults{"4:4 outside_travel"});
 }
 
 }  // namespace

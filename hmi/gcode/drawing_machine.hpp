@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,8 +37,16 @@ struct DrawingMachine {
     std::array<double, 2> out_mm{1e9, 1e9};         ///< a head that stays there cuts nothing
     bool is_y_on_z = false;                         ///< y has the letter Z, as lathes have it
     double tolerance_mm = 0.01;                     ///< of the path where the program gives none
-    double core_mm = 0.0;                           ///< of r1, and of r2 where that follows
-    double core_half_pulse_mm = 0.0;                ///< so much less is the same pulse
+    /// Of r1 and r2: the tip stands this much further out than its head is counted.
+    std::array<double, 2> tip_mm{0.0, 0.0};
+    bool follows = false;  ///< r2 moves with r1, by the same letter
+    double core_mm = 0.0;  ///< where no tip may come
+    std::array<double, 2> half_pulse_mm{0.0, 0.0};  ///< of r1 and r2: so much less is the same pulse
+
+    /// How far a tip is from the axis where its head is counted so.
+    double tip_radius_mm(std::size_t head, double counted_mm) const noexcept {
+        return std::max(0.0, counted_mm + tip_mm[head]);
+    }
 };
 DrawingMachine drawing_machine_of(const Profile& profile) noexcept;
 

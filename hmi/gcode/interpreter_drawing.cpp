@@ -106,11 +106,18 @@ Interpreter::Fault Interpreter::begin_polar() {
                      "G12.1, and the program has not said yet where X and C are");
     const double zero_mm = offsets_.origin(offsets_.active())[kDepthLetter] +
                            (offsets_.is_shifted() ? offsets_.kept_shift()[kDepthLetter] : 0.0);
-    const double radius_mm = program_[kDepthLetter];
-    char text[96];
+    const DrawingMachine& machine = options_.drawing;
+    const double radius_mm = program_[kDepthLetter] + machine.tip_mm[0];
+    const double apart_mm = machine.tip_mm[1] - machine.tip_mm[0];
+    char text[120];
+    std::snprintf(text, sizeof text, "G12.1, and the tip of r2, which follows, stands %.4f mm further %s",
+                  std::abs(apart_mm), apart_mm < 0.0 ? "in" : "out");
+    if (machine.follows && std::abs(apart_mm) > machine.half_pulse_mm[1])
+        return fault(column, ProblemCode::drawing_begin, text);
     std::snprintf(text, sizeof text, "G12.1, and X 0 lies %.4f mm off the axis", zero_mm);
     if (std::abs(zero_mm) > kSameZeroMm) return fault(column, ProblemCode::drawing_begin, text);
-    std::snprintf(text, sizeof text, "G12.1 at X %.4f mm, and there is no direction", radius_mm);
+    std::snprintf(text, sizeof text, "G12.1 with the tip %.4f mm from the axis, and there is no direction",
+                  radius_mm);
     if (!(radius_mm >= kLeastPolarMm)) return fault(column, ProblemCode::drawing_begin, text);
     const double angle_rad = rad_from_deg(program_[kTurnLetter]);
     drawing_.place = {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};

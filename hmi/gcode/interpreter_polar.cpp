@@ -25,7 +25,7 @@ void Interpreter::locate_in_polar(const PlanePoint& to, Position& end) noexcept 
     drawing_.is_doubtful = !is_said || are_places_doubtful() || (unknown_zeros() & kDrawnLetters) != 0 ||
                            !(radius_mm >= kLeastPolarMm);
     if (drawing_.is_doubtful) return;
-    end[kDepthLetter] = radius_mm;
+    end[kDepthLetter] = radius_mm - options_.drawing.tip_mm[0];
     end[kTurnLetter] = deg_from_rad(std::atan2(to.second_mm, to.first_mm));
     placed_ |= kDrawnLetters;
     doubtful_ = static_cast<AxisMask>(doubtful_ & ~kDrawnLetters);
@@ -66,21 +66,25 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     return carry_out_polar(way, end);
 }
 
-/// Machine and program count X from the axis on, but for a tool's length.
+/// The way is that of the tip, but for a tool's length, which the program alone knows.
 Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
+    const DrawingMachine& machine = options_.drawing;
     const double tool_mm = machine_[kDepthLetter] - program_[kDepthLetter];
     const double least_mm = way.least_radius_mm(0.0, 1.0);
-    const double core_mm = options_.drawing.core_mm;
+    const auto comes_into_core = [&](std::size_t head) {
+        return least_mm + tool_mm < machine.core_mm - machine.half_pulse_mm[head];
+    };
     const bool has_direction = least_mm >= kLeastPolarMm;
-    if (has_direction && least_mm + tool_mm >= core_mm - options_.drawing.core_half_pulse_mm)
-        return std::nullopt;
+    const bool is_of_second = machine.follows && !comes_into_core(0) && comes_into_core(1);
+    if (has_direction && !is_of_second && !comes_into_core(0)) return std::nullopt;
     const PlanePoint there = way.at(way.nearest_share());
     char text[200];
     if (has_direction) {
         std::snprintf(text, sizeof text,
-                      "at X %.4f C %.4f mm r1 comes to %.4f mm, and the core that it must not reach ends at "
-                      "%.4f mm",
-                      there.first_mm, there.second_mm, least_mm + tool_mm, core_mm);
+                      "at X %.4f C %.4f mm the tip of %s comes to %.4f mm, and the core that it must not reach "
+                      "ends at %.4f mm",
+                      there.first_mm, there.second_mm, is_of_second ? "r2" : "r1", least_mm + tool_mm,
+                      machine.core_mm);
     } else {
         std::snprintf(text, sizeof text, "at X %.4f C %.4f mm the way passes the axis", there.first_mm,
                       there.second_mm);
@@ -111,7 +115,7 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
         for (std::size_t letter = 0; letter < kLetterCount; ++letter)
             at[letter] = to < 1.0 ? start[letter] + to * (end[letter] - start[letter]) : end[letter];
         const PlanePoint there = way.at(to);
-        at[kDepthLetter] = std::hypot(there.first_mm, there.second_mm);
+        at[kDepthLetter] = std::hypot(there.first_mm, there.second_mm) - options_.drawing.tip_mm[0];
         // The direction itself, with the turns that it has come to: nothing is summed up.
         const double direction_rad = std::atan2(there.second_mm, there.first_mm);
         const double turns = std::round((begin_rad + way.turned_rad(to) - direction_rad) / (2.0 * kPi));

@@ -110,6 +110,42 @@ TEST_F(ProgramPins, OfADrawingAreSimulatedRecordedAndJudged) {
             << from << " -> " << to;
 }
 
+// A square whose ways a machine with tips elsewhere than counted draws as any other.
+TEST_F(ProgramPins, OfADrawingCarveItWithTheTip) {
+    Profile profile;
+    profile.r1.tip_offset_mm = 4.5;
+    profile.r1.tool_wear_mm = 0.5;
+    profile.blank.radius_mm = 47.0;
+    profile.blank.height_mm = 60.0;
+    write("tip.toml", profile_to_toml(profile));
+    const std::string path = program("square.ngc",
+                                     "G21 G90 F1800\nG0 X50 Z60 Y40 C0\nG12.1\nG1 X30\nC30\nX-30\nC-30\nX30\n"
+                                     "C0\nG0 X50\nG13.1\nM2\n");
+    start_core({"--profile", file("tip.toml"), "--piece", file("piece.csv")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const Outcome done = run({"gcode", "run", path, "--profile", file("tip.toml")});
+    ASSERT_EQ(done.exit_code, 0) << done.error;
+    core_->send(SIGTERM);
+    ASSERT_EQ(core_->wait(), 0) << core_->error();
+    core_.reset();
+    std::ifstream csv(file("piece.csv"));
+    std::string line;
+    std::getline(csv, line);
+    std::size_t cuts = 0;
+    while (std::getline(csv, line)) {
+        double direction_deg = 0.0, height_mm = 0.0, radius_mm = 0.0;
+        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &direction_deg, &height_mm, &radius_mm), 3)
+            << line;
+        const double angle_rad = rad_from_deg(direction_deg);
+        const double out_mm =
+            radius_mm * std::max(std::abs(std::cos(angle_rad)), std::abs(std::sin(angle_rad)));
+        // The path's tolerance, a pulse, and half a cell of the piece at its corners.
+        ASSERT_NEAR(out_mm, 30.0, 0.01 + 0.0025 + 0.01) << line;
+        ++cuts;
+    }
+    EXPECT_GT(cuts, 3000U);
+}
+
 TEST_F(ProgramPins, AreRecordedFromARunningCore) {
     start_core();
     ASSERT_EQ(run({"home"}).exit_code, 0);

@@ -125,6 +125,23 @@ TEST(Polar, MovesOtherAxesEvenlyAlong) {
     EXPECT_NEAR(along_mm, std::sqrt(20.0 * 20.0 + 30.0 * 30.0 + 10.0 * 10.0), 1e-9);
 }
 
+TEST(Polar, RefusesAWayThroughTheCoreWithThePoint) {
+    Profile profile;
+    profile.core_radius_mm = 5.0;
+    const auto read = drawn(kPolar + "G1 X20 C4\nX-20\nX-20 C6\nX20\nM2\n", profile);
+    ASSERT_FALSE(read->problems.errors().empty());
+    EXPECT_EQ(read->faults(), Faults{"5:1 core_radius"});
+    EXPECT_EQ(read->problems.errors().front().what,
+              "at X 0.0000 C 4.0000 mm the tip of r1 comes to 4.0000 mm, and the core that it must not reach "
+              "ends at 5.0000 mm");
+    // To the pulse: 400 of them a mm.
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4.999\nX-20\nM2\n", profile), Faults{});
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4.998\nX-20\nM2\n", profile), Faults{"5:1 core_radius"});
+    // An arc over the axis' other side, and one that keeps out.
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X20\nG3 X-3 I-11.5\nM2\n", profile), Faults{"5:4 core_radius"});
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X20\nG3 X-20 I-20\nM2\n", profile), Faults{});
+}
+
 TEST(Polar, RefusesTheAxisWhereNoMachineIsAsked) {
     const auto read = read_program("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X-40\nM2\n");
     ASSERT_FALSE(read->problems.errors().empty());
@@ -140,6 +157,79 @@ TEST(Polar, CountsAToolsLengthToTheCore) {
               Faults{});
     EXPECT_EQ(drawn_faults("G21 G90 F300\nG43.1 X-3\nG0 X40 C0\nG12.1\nG1 X20 C7\nX-20\nM2\n", profile),
               Faults{"6:1 core_radius"});
+}
+
+TEST(Polar, DrawsWithTheTipHoweverFarThatIsFromWhereItsHeadIsCounted) {
+    Profile profile;
+    profile.core_radius_mm = 5.0;
+    profile.r1.tip_offset_mm = 5.5;
+    profile.r1.tool_wear_mm = 0.5;
+    profile.r2.tip_offset_mm = 2.0;
+    const auto read =
+        drawn("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X#5420 C30\nX30\nX-30 C20\nG13.1\nG0 X24\nM2\n", profile);
+    ASSERT_EQ(read->faults(), Faults{});
+    const auto tip_at = [](const CanonRecord& record, double share) {
+        CanonRecord moved = record;
+        moved.start[0] += 6.0;
+        moved.end[0] += 6.0;
+        return cross_section_at(moved, share);
+    };
+    EXPECT_NEAR(tip_at(of_line(*read, 4).back(), 1.0).first_mm, 46.0, 1e-9);
+    EXPECT_NEAR(tip_at(of_line(*read, 5).back(), 1.0).first_mm, 30.0, 1e-9);
+    for (const CanonRecord& chord : of_line(*read, 6))
+        for (double share = 0.0; share <= 1.0; share += 0.0625) {
+            const PlanePoint there = tip_at(chord, share);
+            EXPECT_NEAR(there.second_mm, 25.0 + there.first_mm / 6.0, kOwnToleranceMm / 3.0);
+        }
+    // Behind it X counts as ever.
+    EXPECT_EQ(read->records[read->records.size() - 2].end[0], 24.0);
+    // The core is the tip's; there X counts -1.
+    profile.r1.travel_mm = {-10.0, 60.0};
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X20 C5\nX-20\nM2\n", profile), Faults{});
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X20 C4.9\nX-20\nM2\n", profile),
+              Faults{"5:1 core_radius"});
+}
+
+TEST(Polar, FindsTheTipAgainBehindAWrongBlock) {
+    Profile profile;
+    profile.r1.tip_offset_mm = 6.0;
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X&\nG1 F300 X20 C4\nX66\nX66.1\nG13.1\nM2\n", profile),
+              (Faults{"4:4 number_missing", "7:1 outside_travel"}));
+}
+
+TEST(Polar, IsRefusedWhereTheHeadThatFollowsHasItsTipElsewhere) {
+    Profile profile;
+    profile.gcode.second_head = SecondHead::follow;
+    profile.r1.tip_offset_mm = profile.r2.tip_offset_mm = 3.0;
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X30\nM2\n", profile), Faults{});
+    profile.r2.tool_wear_mm = 0.2;
+    const auto read = drawn(kPolar + "G1 X30\nM2\n", profile);
+    ASSERT_EQ(read->faults(), Faults{"3:1 drawing_begin"});
+    EXPECT_EQ(read->problems.errors().front().what,
+              "G12.1, and the tip of r2, which follows, stands 0.2000 mm further out");
+    profile.gcode.second_head = SecondHead::own;
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X30\nM2\n", profile), Faults{});
+}
+
+TEST(Polar, KeepsBothHeadsOutOfTheirCoresWhereTheSecondFollows) {
+    Profile profile;
+    profile.gcode.second_head = SecondHead::follow;
+    profile.core_radius_mm = 5.0;
+    profile.r1.pulses_per_mm = 100.0;
+    profile.r2.pulses_per_mm = 800.0;
+    const auto what = [&](const std::string& out) {
+        const auto read = drawn(kPolar + "G1 X20 C" + out + "\nX-20\nM2\n", profile);
+        EXPECT_LE(read->problems.errors().size(), 1U) << out;
+        return read->problems.errors().empty() ? "" : read->problems.errors().front().what;
+    };
+    EXPECT_EQ(what("5"), "");
+    // To the pulse of each: that is still r1's last one, and three of r2's too far in.
+    EXPECT_EQ(what("4.996"),
+              "at X 0.0000 C 4.9960 mm the tip of r2 comes to 4.9960 mm, and the core that it must not reach "
+              "ends at 5.0000 mm");
+    EXPECT_NE(what("4.98").find("the tip of r1 comes to 4.9800 mm"), std::string::npos);
+    profile.gcode.second_head = SecondHead::own;
+    EXPECT_EQ(what("4.996"), "");
 }
 
 TEST(Polar, TellsOnceThatAWayLeavesTheTravel) {

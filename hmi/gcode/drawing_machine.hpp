@@ -39,8 +39,8 @@ struct DrawingMachine {
     double tolerance_mm = 0.01;                     ///< of the path where the program gives none
     /// Of r1 and r2: the tip stands this much further out than its head is counted.
     std::array<double, 2> tip_mm{0.0, 0.0};
-    bool follows = false;  ///< r2 moves with r1, by the same letter
-    double core_mm = 0.0;  ///< where no tip may come
+    bool follows = false;                           ///< r2 moves with r1, by the same letter
+    double core_mm = 0.0;                           ///< where no tip may come
     std::array<double, 2> half_pulse_mm{0.0, 0.0};  ///< of r1 and r2: so much less is the same pulse
 
     /// How far a tip is from the axis where its head is counted so.

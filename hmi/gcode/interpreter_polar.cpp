@@ -80,11 +80,11 @@ Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
     const PlanePoint there = way.at(way.nearest_share());
     char text[200];
     if (has_direction) {
-        std::snprintf(text, sizeof text,
-                      "at X %.4f C %.4f mm the tip of %s comes to %.4f mm, and the core that it must not reach "
-                      "ends at %.4f mm",
-                      there.first_mm, there.second_mm, is_of_second ? "r2" : "r1", least_mm + tool_mm,
-                      machine.core_mm);
+        std::snprintf(
+            text, sizeof text,
+            "at X %.4f C %.4f mm the tip of %s comes to %.4f mm, and the core that it must not reach "
+            "ends at %.4f mm",
+            there.first_mm, there.second_mm, is_of_second ? "r2" : "r1", least_mm + tool_mm, machine.core_mm);
     } else {
         std::snprintf(text, sizeof text, "at X %.4f C %.4f mm the way passes the axis", there.first_mm,
                       there.second_mm);

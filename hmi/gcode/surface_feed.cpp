@@ -55,8 +55,8 @@ double arc_over_surface_mm(const DrawingMachine& machine, const CanonRecord& arc
             const std::size_t which = is_first ? 0 : 1;
             radius_mm = std::max(radius_mm, machine.tip_radius_mm(head, reach.most_mm[which]));
         } else if (!is_out(machine, head, arc.start, arc.end)) {
-            radius_mm =
-                std::max(radius_mm, machine.tip_radius_mm(head, std::max(arc.start[letter], arc.end[letter])));
+            radius_mm = std::max(radius_mm,
+                                 machine.tip_radius_mm(head, std::max(arc.start[letter], arc.end[letter])));
         }
     }
     return std::hypot(length_mm, radius_mm * turned_rad(arc.start, arc.end));

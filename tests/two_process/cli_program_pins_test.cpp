@@ -146,6 +146,19 @@ TEST_F(ProgramPins, OfADrawingCarveItWithTheTip) {
     EXPECT_GT(cuts, 3000U);
 }
 
+// A stream is run as it comes, but a drawn way only once all of it is known to be right.
+TEST_F(ProgramPins, OfAStreamHaveNothingOfADrawnWayThatIsRefused) {
+    const std::string begin = "G21 G90 F900\nG0 X40 Z55 C0 Y40\nG61\nG12.1\n";
+    const std::vector<std::array<std::string, 2>> blocks{{"G1 X45 C50\n", ":5:4: "},
+                                                         {"G3 I-1 P100000\n", ":5:1: "}};
+    for (const auto& [block, place] : blocks) {
+        program("stream.ngc", begin + block + "G13.1\nM2\n");
+        EXPECT_EQ(streamed("stream.ngc", "--simulate --trace " + file("new.trace")), 3);
+        EXPECT_NE(text_of(file("said")).find(place), std::string::npos) << text_of(file("said"));
+        EXPECT_EQ(verified(file("new.trace"), program("right.ngc", begin + "G13.1\nM2\n")), 0) << block;
+    }
+}
+
 TEST_F(ProgramPins, AreRecordedFromARunningCore) {
     start_core();
     ASSERT_EQ(run({"home"}).exit_code, 0);

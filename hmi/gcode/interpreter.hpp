@@ -135,7 +135,7 @@ private:
     Fault arc_in_plane(const PlanePoint& from, const PlanePoint& to, PlanePoint& centre, int& turns);
     Fault judge_core(const PolarWay& way) const;
     void locate_in_polar(const PlanePoint& to, Position& end) noexcept;
-    Fault carry_out_polar(const PolarWay& way, const Position& end);
+    Fault carry_out_polar(const PolarWay& way, const Position& end, AxisMask before);
     Fault carry_out_on_cylinder(const CanonRecord& arc, const Position& end, double length_mm);
     void emit_drawn(const Position& program, double share, const FeedAlong& along, bool is_first,
                     bool is_last);

@@ -68,8 +68,9 @@ Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, co
     const AxisMask before = placed_;
     note_places(words_.axes(), false);
     const AxisMask behind = placed_;
-    // An arc from anywhere has a known end alone.
-    if ((before & axes) != axes) placed_ = static_cast<AxisMask>(before & ~axes);
+    // What gets its place by it has that at its end alone, and so has all of an arc from anywhere.
+    placed_ = static_cast<AxisMask>(behind & before);
+    if ((before & axes) != axes) placed_ = static_cast<AxisMask>(placed_ & ~axes);
     const FeedAlong along{feed_of_length(length_mm), length_mm};
     const double share = 1.0 / static_cast<double>(chords.count());
     for (std::uint64_t chord = 1; chord < chords.count() && sink_.wants_more(); ++chord) {

@@ -49,6 +49,7 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     Position end = target();
     end[kDepthLetter] = program_[kDepthLetter];
     end[kTurnLetter] = program_[kTurnLetter];
+    const AxisMask before = placed_;
     note_places(static_cast<AxisMask>(words_.axes() & ~kDrawnLetters), false);
     if (drawing_.is_doubtful) {
         locate_in_polar(to, end);
@@ -63,7 +64,7 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     }
     if (auto wrong = judge_core(way)) return wrong;
     drawing_.place = to;
-    return carry_out_polar(way, end);
+    return carry_out_polar(way, end, before);
 }
 
 /// The way is that of the tip, but for a tool's length, which the program alone knows.
@@ -92,8 +93,9 @@ Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
     return fault(words_.axis_column(), ProblemCode::core_radius, text);
 }
 
-/// Pieces of the way are halved until they are even enough.
-Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end) {
+/// Pieces of the way are halved until they are even enough. What gets its place by the block, and had none
+/// `before`, has it at the end alone.
+Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end, AxisMask before) {
     constexpr double kLeastChordMm = 1e-7;
     const Position start = program_;
     const double length_mm = std::hypot(way.length_mm(), end[1] - start[1], end[2] - start[2]);
@@ -103,6 +105,8 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
     std::array<double, kMostHalvings> ends{1.0};
     std::size_t open = 1;
     double from = 0.0;
+    const AxisMask behind = placed_;
+    placed_ = static_cast<AxisMask>(behind & before);
     for (std::uint64_t count = 1; open > 0 && sink_.wants_more() && !is_too_far_;) {
         const double to = ends[open - 1];
         if (open < ends.size() && way.deviation_mm(from, to) > most_mm) {
@@ -120,7 +124,8 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
         const double direction_rad = std::atan2(there.second_mm, there.first_mm);
         const double turns = std::round((begin_rad + way.turned_rad(to) - direction_rad) / (2.0 * kPi));
         at[kTurnLetter] = deg_from_rad(direction_rad) + turns * kDegPerRev;
-        emit_drawn(at, to - from, along, from == 0.0, --open == 0);
+        if (--open == 0) placed_ = behind;
+        emit_drawn(at, to - from, along, from == 0.0, open == 0);
         from = to;
     }
     return std::nullopt;

@@ -47,6 +47,15 @@ TEST(Cylinder, DrawsCirclesWithinTheirShareOfTheTolerance) {
     EXPECT_GT(chords[4].end[1], 50.0);
 }
 
+TEST(Cylinder, JudgesAnAxisThatGetsItsFirstPlaceThereByItsEnd) {
+    const auto read = drawn(kCylinder + "G2 I10 Z55\nG7.1 C0\nM2\n");
+    EXPECT_EQ(read->faults(), Faults{});
+    const auto chords = of_line(*read, 4);
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        EXPECT_EQ((chords[i].placed & mask_of(2)) != 0, i + 1 == chords.size()) << i;
+    EXPECT_EQ(drawn_faults(kCylinder + "G2 I10 Z65\nG7.1 C0\nM2\n"), Faults{"4:8 outside_travel"});
+}
+
 TEST(Cylinder, DrawsWithZToTheRightAsLathesDo) {
     Profile profile;
     profile.gcode.letters = AxisNames::turning;

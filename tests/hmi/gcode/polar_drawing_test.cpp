@@ -237,6 +237,14 @@ TEST(Polar, TellsOnceThatAWayLeavesTheTravel) {
               (Faults{"4:4 outside_travel", "5:1 outside_travel"}));
 }
 
+TEST(Polar, JudgesAnAxisThatGetsItsFirstPlaceThereByItsEnd) {
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nG13.1\nM2\n"), Faults{});
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z65\nG13.1\nM2\n"),
+              Faults{"4:4 outside_travel"});
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nX20 Z3\nG13.1\nM2\n"),
+              Faults{"5:1 core_radius"});
+}
+
 TEST(Polar, IsJudgedAgainBehindAWrongBlockOnceItsPlaceIsSaid) {
     Profile profile;
     profile.core_radius_mm = 5.0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What G7.1 draws on the unrolled cylinder.
+#include <algorithm>
 #include <cmath>
 
 #include "hmi/gcode/arc_chords.hpp"
 #include "hmi/gcode/interpreter.hpp"
+#include "hmi/gcode/surface_feed.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::gcode {
@@ -60,7 +62,9 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
 
 Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, const Position& end,
                                                       double length_mm) {
-    const ArcChords chords{arc, chord_mm()};
+    // A tip outside the cylinder is as much further off as it is further out.
+    const double tip_mm = greatest_tip_radius_mm(options_.drawing, machine_, offsets_.to_machine(end));
+    const ArcChords chords{arc, chord_mm() / std::max(1.0, tip_mm / drawing_.radius_mm)};
     if (chords.count() > kMostDrawnChords)
         return fault(words_.axis_column(), ProblemCode::out_of_range, "an arc of more than 100000 chords");
     const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);

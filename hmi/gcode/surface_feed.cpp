@@ -28,6 +28,17 @@ double turned_rad(const Position& from, const Position& to) noexcept {
 
 }  // namespace
 
+double greatest_tip_radius_mm(const DrawingMachine& machine, const Position& from,
+                              const Position& to) noexcept {
+    double most_mm = 0.0;
+    for (std::size_t head = 0; head < machine.head_letters.size(); ++head) {
+        if (is_out(machine, head, from, to) && !are_all_out(machine, from, to)) continue;
+        const std::size_t letter = machine.head_letters[head];
+        most_mm = std::max(most_mm, machine.tip_radius_mm(head, std::max(from[letter], to[letter])));
+    }
+    return most_mm;
+}
+
 double line_over_surface_mm(const DrawingMachine& machine, const Position& from,
                             const Position& to) noexcept {
     const std::size_t y = machine.is_y_on_z ? 2 : 1;

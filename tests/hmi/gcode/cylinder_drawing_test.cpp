@@ -56,6 +56,36 @@ TEST(Cylinder, JudgesAnAxisThatGetsItsFirstPlaceThereByItsEnd) {
     EXPECT_EQ(drawn_faults(kCylinder + "G2 I10 Z65\nG7.1 C0\nM2\n"), Faults{"4:8 outside_travel"});
 }
 
+TEST(Cylinder, KeepsTheToleranceAtTheTipThatIsFurthestOut) {
+    const auto most_off_mm = [](const std::string& begin, const Profile& profile, std::size_t head_letter,
+                                double tip_mm) {
+        const auto read = drawn(begin + "G7.1 C12\nG2 I10\nG7.1 C0\nM2\n", profile);
+        EXPECT_EQ(read->faults(), Faults{});
+        double most_mm = 0.0;
+        for (const CanonRecord& chord : of_line(*read, 4)) {
+            // Where the tip is off the circle along C it is further off by what it stands outside the
+            // cylinder.
+            const double scale = std::max(1.0, (chord.end[head_letter] + tip_mm) / 12.0);
+            for (double share = 0.0; share <= 1.0; share += 0.125) {
+                const PlanePoint there = surface_at(chord, share, 12.0);
+                const double off_mm =
+                    std::abs(std::hypot(there.first_mm - 10.0, there.second_mm - 50.0) - 10.0);
+                most_mm = std::max(most_mm, off_mm * scale);
+            }
+        }
+        return most_mm;
+    };
+    const double share_mm = kOwnToleranceMm / 4.0 + 1e-9;
+    const std::string begin = "G21 G90 F300\nG0 X50 Y50 Z60 C0\n";
+    EXPECT_LE(most_off_mm(begin, {}, 0, 0.0), share_mm);
+    // The head that stays outside cuts nothing, any other does.
+    EXPECT_LE(most_off_mm("G21 G90 F300\nG0 X12 Y50 Z55 C0\n", {}, 2, 0.0), share_mm);
+    EXPECT_GT(most_off_mm("G21 G90 F300\nG0 X12 Y50 Z60 C0\n", {}, 2, 0.0), share_mm);
+    Profile profile;
+    profile.r1.tip_offset_mm = 30.0;
+    EXPECT_LE(most_off_mm(begin, profile, 0, 30.0), share_mm);
+}
+
 TEST(Cylinder, DrawsWithZToTheRightAsLathesDo) {
     Profile profile;
     profile.gcode.letters = AxisNames::turning;

@@ -57,9 +57,10 @@ struct Drawing {
     DrawnMode mode = DrawnMode::none;
     double radius_mm = 0.0;  ///< of the cylinder
     const Plane* plane_before = nullptr;
-    PlanePoint place;           ///< in the cross-section
-    bool is_doubtful = false;   ///< of the place
-    double tolerance_mm = 0.0;  ///< that the program has given; 0: none
+    PlanePoint place;               ///< in the cross-section
+    bool is_doubtful = false;       ///< of the place
+    bool is_mode_doubtful = false;  ///< a wrong block may have begun or ended it
+    double tolerance_mm = 0.0;      ///< that the program has given; 0: none
 };
 
 }  // namespace psicarve::gcode

@@ -80,6 +80,8 @@ private:
 
     void pass_wrong() noexcept;
     void doubt_modes(char tens, char ones) noexcept;
+    void doubt_drawing() noexcept;
+    void pass_doubtful_move() noexcept;
     bool are_places_doubtful() const noexcept {
         return are_units_doubtful_ || is_distance_doubtful_ || are_values_doubtful_;
     }

@@ -49,7 +49,7 @@ Interpreter::Fault Interpreter::judge_drawing() {
     if (code != 71) return words_.left_over();
     if (!words_.has('C'))
         return fault(column, ProblemCode::word_missing, "G7.1 has no C, the cylinder's radius");
-    if (words_.value('C') < 0.0)
+    if (words_.value('C') < 0.0 && !are_values_doubtful_)
         return fault(words_.column('C'), ProblemCode::out_of_range, "a cylinder's radius of less than 0");
     return words_.left_over();
 }
@@ -71,6 +71,12 @@ Interpreter::Fault Interpreter::judge_drawing_mode() {
 Interpreter::Fault Interpreter::set_drawing() {
     const int code = words_.code(CodeGroup::drawing);
     const bool ends = code == 131 || (code == 71 && words_.value('C') == 0.0);
+    // Behind a wrong one, or with a value that is not known, nobody knows what held.
+    drawing_.is_mode_doubtful = code == 71 && are_values_doubtful_;
+    if (drawing_.is_mode_doubtful) {
+        doubt_drawing();
+        return std::nullopt;
+    }
     const DrawnMode mode = code == 71 ? DrawnMode::cylinder : DrawnMode::polar;
     // To end what does not hold is right: programs begin so, for safety.
     const bool holds_other = !is_drawing(DrawnMode::none) && (!ends || !is_drawing(mode));
@@ -122,6 +128,14 @@ Interpreter::Fault Interpreter::begin_polar() {
     const double angle_rad = rad_from_deg(program_[kTurnLetter]);
     drawing_.place = {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
     return std::nullopt;
+}
+
+/// It may have been drawn, or gone to straight.
+void Interpreter::pass_doubtful_move() noexcept {
+    const AxisMask axes = static_cast<AxisMask>(words_.axes() | kDrawnLetters);
+    doubtful_ |= axes;
+    placed_ = static_cast<AxisMask>(placed_ & ~axes);
+    start_placed_ = static_cast<AxisMask>(start_placed_ & ~axes);
 }
 
 /// C goes on from the direction that it has come to, with all its turns.

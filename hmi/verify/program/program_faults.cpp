@@ -215,6 +215,7 @@ Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
 void ProgramRule::finish(std::int64_t time_ns) {
     if (!ways_) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
     judge_end(time_ns);
+    note_lowered();
     phase_ = Phase::over;
     // A wrong program judges nothing, wherever the trace ends.
     ways_->pass_rest();

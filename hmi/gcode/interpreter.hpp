@@ -28,8 +28,8 @@ struct InterpreterOptions {
     Position start{};            ///< where the machine stands, machine coordinates
     bool is_start_known = true;  ///< it stands there; false: anywhere
     DrawingMachine drawing{};
-    /// Loops and calls may have so many blocks executed in all, and so many in a row that make neither a
-    /// move, a dwell nor a stop.
+    /// Loops and calls may have so many blocks executed in all, each piece of a drawn way being one, and so
+    /// many in a row that make neither a move, a dwell nor a stop.
     std::uint64_t most_repeated_blocks = 100'000'000;
     std::uint64_t most_idle_blocks = 1'000'000;
 };
@@ -61,6 +61,8 @@ public:
     bool has_ended() const noexcept { return has_ended_; }
     /// A line that could not be read may have been the end.
     bool is_end_doubtful() const noexcept { return is_end_doubtful_; }
+    /// Ways that drawn ones have become, from the program's begin.
+    std::uint64_t drawn_chord_count() const noexcept { return drawn_chord_count_; }
     std::uint64_t motion_count() const noexcept { return motion_count_; }
     /// Moves that lead somewhere, dwells and stops.
     std::uint64_t action_count() const noexcept { return action_count_; }
@@ -190,6 +192,7 @@ private:
     bool is_motion_doubtful_ = false;
     bool is_end_doubtful_ = false;
     bool has_ended_ = false;
+    std::uint64_t drawn_chord_count_ = 0;
     std::uint64_t motion_count_ = 0;
     std::uint64_t action_count_ = 0;
     std::uint64_t line_ = 0;

@@ -173,6 +173,7 @@ void Interpreter::emit_drawn(const Position& program, double share, const FeedAl
                              bool is_last) {
     CanonRecord moved = record(motion_to_be_ == 0 ? CanonKind::rapid : CanonKind::feed);
     moved.is_drawn = true;
+    ++drawn_chord_count_;
     moved.begins_within = !is_first;
     moved.ends_within = !is_last;
     emit_move(moved, program,

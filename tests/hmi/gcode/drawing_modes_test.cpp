@@ -100,6 +100,17 @@ TEST(DrawingModes, RefuseAWayOfTooManyPieces) {
     EXPECT_EQ(drawn_faults(kCylinder + "G3 I-5 P10000\nM2\n"), Faults{"4:1 out_of_range"});
 }
 
+TEST(DrawingModes, CountEachPieceWhereLoopsAreBounded) {
+    const auto faults_of = [](std::uint64_t most_blocks, const std::string& times) {
+        InterpreterOptions options = machine_options({});
+        options.most_repeated_blocks = most_blocks;
+        return read_program(kCylinder + "o1 repeat [" + times + "]\nG2 I10\no1 endrepeat\nM2\n", options)
+            ->faults();
+    };
+    EXPECT_EQ(faults_of(2000, "10"), Faults{});
+    EXPECT_EQ(faults_of(2000, "100"), Faults{"6:1 too_many_blocks"});
+}
+
 TEST(DrawingModes, AreNotJudgedBehindAWrongBlockUntilARightOne) {
     // What follows is right, or wrong, by a mode that nobody knows.
     const std::string drawing =

@@ -43,6 +43,9 @@ struct DrawingMachine {
     double core_mm = 0.0;                           ///< where no tip may come
     std::array<double, 2> half_pulse_mm{0.0, 0.0};  ///< of r1 and r2: so much less is the same pulse
 
+    /// What moves the machine's heads and y along a drawn way: X Y Z, and r2 where it has a letter behind.
+    AxisMask linear_letters() const noexcept { return static_cast<AxisMask>(7U | mask_of(head_letters[1])); }
+
     /// How far a tip is from the axis where its head is counted so.
     double tip_radius_mm(std::size_t head, double counted_mm) const noexcept {
         return std::max(0.0, counted_mm + tip_mm[head]);

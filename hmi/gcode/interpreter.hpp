@@ -145,6 +145,7 @@ private:
                     bool is_last);
     bool is_drawing(DrawnMode mode) const noexcept { return drawing_.mode == mode; }
     double chord_mm() const noexcept;
+    double moved_mm(const Position& to, AxisMask letters) const noexcept;
     Fault drill();
     Fault read_cycle_words();
     void drill_hole(Position& at, double clear_mm, double depth_mm, double retract_mm);

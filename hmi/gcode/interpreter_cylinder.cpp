@@ -11,16 +11,7 @@
 namespace psicarve::gcode {
 namespace {
 
-double drawn_length_mm(const Position& from, const Position& to, std::size_t begin) noexcept {
-    return std::hypot(to[begin] - from[begin], to[begin + 1] - from[begin + 1],
-                      to[begin + 2] - from[begin + 2]);
-}
-
-/// Of X Y Z, or of U V W where these stand.
-double linear_mm(const Position& from, const Position& to) noexcept {
-    const double length_mm = drawn_length_mm(from, to, 0);
-    return length_mm < kLeastWayMm ? drawn_length_mm(from, to, 6) : length_mm;
-}
+constexpr AxisMask kUvw = 0x1C0;
 
 }  // namespace
 
@@ -35,7 +26,9 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
     arc.end[kTurnLetter] *= mm_per_deg;
     const double turned_mm = arc.end[kTurnLetter] - arc.start[kTurnLetter];
     if (motion_to_be_ == 0 || motion_to_be_ == 10) {
-        const double length_mm = std::hypot(linear_mm(program_, end), turned_mm);
+        double moved = moved_mm(end, options_.drawing.linear_letters());
+        if (moved < kLeastWayMm) moved = moved_mm(end, kUvw);
+        const double length_mm = std::hypot(moved, turned_mm);
         note_places(words_.axes(), false);
         const FeedAlong along = length_mm < kLeastWayMm ? feed_of_line(program_, end)
                                                         : FeedAlong{feed_of_length(length_mm), length_mm};
@@ -52,12 +45,9 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
     arc.centre_second_mm = centre.second_mm;
     const double round_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm) *
                             sweep_rad(from, to, centre, arc.turns);
-    double squares = round_mm * round_mm;
-    for (std::size_t letter = 0; letter < 3; ++letter) {
-        const double moved_mm = end[letter] - program_[letter];
-        if (letter != plane.first && letter != plane.second) squares += moved_mm * moved_mm;
-    }
-    return carry_out_on_cylinder(arc, end, std::sqrt(squares));
+    const auto across = static_cast<AxisMask>(options_.drawing.linear_letters() &
+                                              ~(mask_of(plane.first) | mask_of(plane.second)));
+    return carry_out_on_cylinder(arc, end, std::hypot(round_mm, moved_mm(end, across)));
 }
 
 Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, const Position& end,

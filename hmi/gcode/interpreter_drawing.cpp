@@ -150,6 +150,16 @@ double Interpreter::chord_mm() const noexcept {
            (drawing_.tolerance_mm > 0.0 ? drawing_.tolerance_mm : options_.drawing.tolerance_mm);
 }
 
+/// Along these letters alone, from where the machine stands.
+double Interpreter::moved_mm(const Position& to, AxisMask letters) const noexcept {
+    double squares = 0.0;
+    for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
+        const double moved_mm = to[letter] - program_[letter];
+        if ((letters & mask_of(letter)) != 0) squares += moved_mm * moved_mm;
+    }
+    return std::sqrt(squares);
+}
+
 Interpreter::Fault Interpreter::draw() {
     if (is_cycle(motion_to_be_))
         return fault(words_.axis_column(), ProblemCode::drawing_code,

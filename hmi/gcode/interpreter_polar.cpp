@@ -98,7 +98,8 @@ Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
 Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end, AxisMask before) {
     constexpr double kLeastChordMm = 1e-7;
     const Position start = program_;
-    const double length_mm = std::hypot(way.length_mm(), end[1] - start[1], end[2] - start[2]);
+    const auto beside = static_cast<AxisMask>(options_.drawing.linear_letters() & ~kDrawnLetters);
+    const double length_mm = std::hypot(way.length_mm(), moved_mm(end, beside));
     const FeedAlong along{feed_of_length(length_mm), length_mm};
     const double most_mm = std::max(chord_mm(), kLeastChordMm);
     const double begin_rad = rad_from_deg(start[kTurnLetter]);

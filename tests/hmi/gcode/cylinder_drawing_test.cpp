@@ -99,6 +99,26 @@ TEST(Cylinder, DrawsWithZToTheRightAsLathesDo) {
     EXPECT_EQ(of_line(*read, 5).back().end[5], 20.0);
 }
 
+TEST(Drawing, CountsTheWayOfAnOwnR2ByWhicheverLetter) {
+    Profile lathe;
+    lathe.gcode.letters = AxisNames::turning;
+    const auto length_mm = [](const std::string& block, const std::string& begin, const Profile& profile) {
+        const auto read = drawn("G21 G90 F300\n" + begin + "\n" + block + "\nM2\n", profile);
+        EXPECT_EQ(read->faults(), Faults{}) << block;
+        double sum_mm = 0.0;
+        for (const CanonRecord& record : of_line(*read, 4)) sum_mm += record.length;
+        return sum_mm;
+    };
+    for (const std::string mode : {"G7.1 C20", "G12.1"}) {
+        for (const auto& [ours, theirs] : std::vector<std::pair<std::string, std::string>>{
+                 {"G1 X45 Z45 Y55", "G1 X45 U45 Z55"},
+                 {"G2 I5 Z45", mode == "G12.1" ? "G2 I5 U45" : "G2 K5 U45"}})
+            EXPECT_NEAR(length_mm(ours, "G0 X50 Z50 Y50 C0\n" + mode, {}),
+                        length_mm(theirs, "G0 X50 U50 Z50 C0\n" + mode, lathe), 1e-9)
+                << mode << " " << theirs;
+    }
+}
+
 TEST(Cylinder, TakesItsRadiusInTheProgramsUnits) {
     const auto read = drawn("G20 G90 F10\nG0 X2 Y2 C0\nG7.1 C1\nG1 C180\nG7.1 C0\nM2\n");
     EXPECT_NEAR(of_line(*read, 4).back().length, 25.4 * kPi, 1e-9);

@@ -8,6 +8,7 @@ namespace psicarve::gcode {
 
 DrawingMachine drawing_machine_of(const Profile& profile) noexcept {
     DrawingMachine machine;
+    machine.is_known = true;
     machine.is_y_on_z = profile.gcode.letters == AxisNames::turning;
     machine.tolerance_mm = profile.job.path_tolerance_mm;
     machine.feeds_over_surface = profile.gcode.feeds_over_surface;

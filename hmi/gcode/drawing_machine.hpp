@@ -32,6 +32,7 @@ inline constexpr Plane kCrossSection{"XC", 0, 5, 1, 'I', 'J', 'K'};
 
 /// What feeds over the piece and drawing with the table need to know of the machine.
 struct DrawingMachine {
+    bool is_known = false;  ///< false: of no machine, letters are those of any
     bool feeds_over_surface = false;
     std::array<std::size_t, 2> head_letters{0, 0};  ///< of r1 and r2
     std::array<double, 2> out_mm{1e9, 1e9};         ///< a head that stays there cuts nothing

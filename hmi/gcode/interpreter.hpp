@@ -136,6 +136,7 @@ private:
     Fault draw();
     Fault draw_in_polar();
     Fault draw_on_cylinder();
+    const Plane* plane_by_words() const noexcept;
     Fault arc_in_plane(const PlanePoint& from, const PlanePoint& to, PlanePoint& centre, int& turns);
     Fault judge_core(const PolarWay& way) const;
     void locate_in_polar(const PlanePoint& to, Position& end) noexcept;

@@ -15,8 +15,15 @@ constexpr AxisMask kUvw = 0x1C0;
 
 }  // namespace
 
+/// Where no machine says whether Y or Z is y: the words of an arc do.
+const Plane* Interpreter::plane_by_words() const noexcept {
+    const bool has_z = (words_.axes() & mask_of(2)) != 0 && (words_.axes() & mask_of(1)) == 0;
+    return words_.has('K') || (words_.has('R') && has_z) ? &kCylinderZc : &kCylinderCy;
+}
+
 Interpreter::Fault Interpreter::draw_on_cylinder() {
     const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
+    if (!options_.drawing.is_known) modes_.plane = plane_by_words();
     const Plane& plane = *modes_.plane;
     const Position end = target();
     CanonRecord arc;  // where it is drawn

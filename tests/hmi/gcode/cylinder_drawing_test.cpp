@@ -119,6 +119,14 @@ TEST(Drawing, CountsTheWayOfAnOwnR2ByWhicheverLetter) {
     }
 }
 
+TEST(Cylinder, HasTheLettersOfAnArcsWordsWhereNoMachineIsAsked) {
+    for (const std::string arc : {"G2 K10", "G2 I3 K4", "G2 Z60 R10", "G2 I10", "G2 J10", "G2 Y60 R10"})
+        EXPECT_EQ(
+            read_program("G21 G90 F300\nG0 X50 Y50 Z50 C0\nG7.1 C45\n" + arc + "\nG7.1 C0\nM2\n")->faults(),
+            Faults{})
+            << arc;
+}
+
 TEST(Cylinder, TakesItsRadiusInTheProgramsUnits) {
     const auto read = drawn("G20 G90 F10\nG0 X2 Y2 C0\nG7.1 C1\nG1 C180\nG7.1 C0\nM2\n");
     EXPECT_NEAR(of_line(*read, 4).back().length, 25.4 * kPi, 1e-9);

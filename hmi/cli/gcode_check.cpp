@@ -10,8 +10,8 @@
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/run_offsets.hpp"
 #include "hmi/gcode/canon_writer.hpp"
-#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 #include "hmi/gcode/program_check.hpp"
 
 namespace psicarve::cli {
@@ -58,21 +58,20 @@ private:
 Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options) {
     const std::string name = program_name(options.path);
     gcode::InterpreterOptions how;
-    how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
-    how.skips_deleted = options.skips_deleted;
     gcode::ProblemList problems;
     std::unique_ptr<gcode::MachineCheck> machine;
     if (!options.leaves_out_machine) {
         const auto profile = chosen_profile(common);
         if (!profile) return profile.error();
         machine = std::make_unique<gcode::MachineCheck>(*profile, problems);
-        how.reference = gcode::MachineCheck::reference_of(*profile);
-        how.drawing = gcode::drawing_machine_of(*profile);
-        how.is_start_known = false;
+        how = gcode::machine_options(*profile);
         const auto offsets = kept_offsets(common, *profile);
         if (!offsets) return offsets.error();
+        how.is_start_known = false;
         how.offsets = offsets->kept;
     }
+    how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
+    how.skips_deleted = options.skips_deleted;
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();
     gcode::LineSource lines{std::move(bytes).value()};

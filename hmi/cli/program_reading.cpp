@@ -7,8 +7,8 @@
 #include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/program_ready.hpp"
 #include "hmi/gcode/axis_letters.hpp"
-#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -28,11 +28,9 @@ gcode::Position place_of(const Profile& profile, const CoreStatus& status) {
 
 gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Profile& profile,
                                       const CoreStatus& status, const gcode::KeptOffsets& offsets) {
-    gcode::InterpreterOptions how;
+    gcode::InterpreterOptions how = gcode::machine_options(profile);
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
-    how.reference = gcode::MachineCheck::reference_of(profile);
-    how.drawing = gcode::drawing_machine_of(profile);
     how.offsets = offsets;
     how.start = place_of(profile, status);
     return how;

@@ -9,9 +9,8 @@
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
-#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/cli/run_offsets.hpp"
-#include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 #include "hmi/verify/judged_trace.hpp"
 
 namespace psicarve::cli {
@@ -61,11 +60,9 @@ Result<int> verify_program(const CommonOptions& common, const std::string& trace
                            const ProgramVerifyOptions& options) {
     const auto profile = chosen_profile(common);
     if (!profile) return profile.error();
-    gcode::InterpreterOptions language;
+    gcode::InterpreterOptions language = gcode::machine_options(*profile);
     language.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     language.skips_deleted = options.skips_deleted;
-    language.reference = gcode::MachineCheck::reference_of(*profile);
-    language.drawing = gcode::drawing_machine_of(*profile);
     const auto offsets = offsets_of_trace(common, *profile, trace_path, options.offsets);
     if (!offsets) return offsets.error();
     language.offsets = offsets->kept;

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <utility>
+#include <vector>
 
 #include "hmi/gcode/machine_check.hpp"
 
@@ -52,7 +53,11 @@ public:
     void take(const gcode::CanonRecord& record) override {
         if (is_wrong()) return;
         machine_.take(record);
-        if (!is_wrong()) maker_.take(record);
+        if (is_wrong()) return;
+        drawn_.push_back(record);
+        if (record.ends_within) return;
+        for (const gcode::CanonRecord& known : drawn_) maker_.take(known);
+        drawn_.clear();
     }
     void begin_line(const gcode::ReachedLine& line) override { maker_.begin_line(line); }
     void end_block() override { maker_.end_block(); }
@@ -67,6 +72,8 @@ private:
     gcode::MachineCheck machine_;
     gcode::ProblemList& problems_;
     gcode::RecordMaker& maker_;
+    /// The pieces of a drawn way, until its last one is known to be right: kMostDrawnChords at most.
+    std::vector<gcode::CanonRecord> drawn_;
     gcode::OffsetsLog& offsets_;
 };
 

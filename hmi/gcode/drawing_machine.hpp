@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,13 +32,25 @@ inline constexpr Plane kCrossSection{"XC", 0, 5, 1, 'I', 'J', 'K'};
 
 /// What feeds over the piece and drawing with the table need to know of the machine.
 struct DrawingMachine {
+    bool is_known = false;  ///< false: of no machine, letters are those of any
     bool feeds_over_surface = false;
     std::array<std::size_t, 2> head_letters{0, 0};  ///< of r1 and r2
     std::array<double, 2> out_mm{1e9, 1e9};         ///< a head that stays there cuts nothing
     bool is_y_on_z = false;                         ///< y has the letter Z, as lathes have it
     double tolerance_mm = 0.01;                     ///< of the path where the program gives none
-    double core_mm = 0.0;                           ///< of r1, and of r2 where that follows
-    double core_half_pulse_mm = 0.0;                ///< so much less is the same pulse
+    /// Of r1 and r2: the tip stands this much further out than its head is counted.
+    std::array<double, 2> tip_mm{0.0, 0.0};
+    bool follows = false;                           ///< r2 moves with r1, by the same letter
+    double core_mm = 0.0;                           ///< where no tip may come
+    std::array<double, 2> half_pulse_mm{0.0, 0.0};  ///< of r1 and r2: so much less is the same pulse
+
+    /// What moves the machine's heads and y along a drawn way: X Y Z, and r2 where it has a letter behind.
+    AxisMask linear_letters() const noexcept { return static_cast<AxisMask>(7U | mask_of(head_letters[1])); }
+
+    /// How far a tip is from the axis where its head is counted so.
+    double tip_radius_mm(std::size_t head, double counted_mm) const noexcept {
+        return std::max(0.0, counted_mm + tip_mm[head]);
+    }
 };
 DrawingMachine drawing_machine_of(const Profile& profile) noexcept;
 
@@ -48,9 +61,10 @@ struct Drawing {
     DrawnMode mode = DrawnMode::none;
     double radius_mm = 0.0;  ///< of the cylinder
     const Plane* plane_before = nullptr;
-    PlanePoint place;           ///< in the cross-section
-    bool is_doubtful = false;   ///< of the place
-    double tolerance_mm = 0.0;  ///< that the program has given; 0: none
+    PlanePoint place;               ///< in the cross-section
+    bool is_doubtful = false;       ///< of the place
+    bool is_mode_doubtful = false;  ///< a wrong block may have begun or ended it
+    double tolerance_mm = 0.0;      ///< that the program has given; 0: none
 };
 
 }  // namespace psicarve::gcode

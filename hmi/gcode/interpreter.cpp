@@ -2,6 +2,8 @@
 #include "hmi/gcode/interpreter.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace psicarve::gcode {
@@ -21,6 +23,27 @@ bool names_end(std::string_view line) noexcept {
         if (is_code && (number == 2 || number == 30)) return true;
         is_code = byte == 'M' || byte == 'm';
         number = 0;
+    }
+    return false;
+}
+
+bool is_drawing_code(double value) noexcept {
+    return std::abs(value - 7.1) < 1e-6 || std::abs(value - 12.1) < 1e-6 || std::abs(value - 13.1) < 1e-6;
+}
+
+/// Whether G7.1, G12.1 or G13.1 stands in the text, however it is written.
+bool names_drawing(std::string_view line) noexcept {
+    std::string word;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        const char byte = i < line.size() ? line[i] : '\n';
+        if (byte == ' ' || byte == '\t') continue;
+        const bool is_number = (byte >= '0' && byte <= '9') || byte == '.';
+        if (is_number && !word.empty()) {
+            if (byte != '0' || word != "G") word += byte;
+            continue;
+        }
+        if (word == "G7.1" || word == "G12.1" || word == "G13.1") return true;
+        word = byte == 'G' || byte == 'g' ? "G" : "";
     }
     return false;
 }
@@ -56,6 +79,7 @@ void Interpreter::run(const Block& block, bool has_doubt) {
         const int code =
             word.letter == 'G' && word.value >= 10.0 && word.value < 100.0 ? static_cast<int>(word.value) : 0;
         if (code > 0) doubt_modes(static_cast<char>('0' + code / 10), static_cast<char>('0' + code % 10));
+        if (word.letter == 'G' && is_drawing_code(word.value)) doubt_drawing();
         // A program that is wrong in its last block has an end all the same.
         if (word.letter == 'M' && (word.value == 2.0 || word.value == 30.0)) has_ended_ = true;
     }
@@ -64,6 +88,7 @@ void Interpreter::run(const Block& block, bool has_doubt) {
 void Interpreter::pass_unreadable(std::string_view line) noexcept {
     pass_wrong();
     is_end_doubtful_ = is_end_doubtful_ || names_end(line);
+    if (names_drawing(line)) doubt_drawing();
     std::size_t read = 0;  // of G and two digits
     char tens = ' ';
     for (const char byte : line) {
@@ -96,6 +121,12 @@ void Interpreter::pass_wrong() noexcept {
     drawing_.is_doubtful = true;
     is_feed_doubtful_ = true;
     is_motion_doubtful_ = true;
+}
+
+/// Nobody knows which mode holds: none is judged until a right block says.
+void Interpreter::doubt_drawing() noexcept {
+    if (!is_drawing(DrawnMode::none)) end_drawing();
+    drawing_.is_mode_doubtful = true;
 }
 
 void Interpreter::end_by_percent(std::uint64_t line) {
@@ -144,7 +175,7 @@ Interpreter::Fault Interpreter::judge_motion() {
         if (is_motion_doubtful_) words_.take_axes();
     }
     if (motion_to_be_ != kNoCode) words_.take_axes();
-    if (once != 530) return std::nullopt;
+    if (once != 530 || drawing_.is_mode_doubtful) return std::nullopt;
     if (motion_to_be_ != 0 && motion_to_be_ != 10 && !is_motion_doubtful_)
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_motion,
                      "G53 without a straight motion");
@@ -184,7 +215,7 @@ Interpreter::Fault Interpreter::judge_claims() {
     if (claims > 0) words_.take('P');
     if (claims > 1 && words_.has('P'))
         return fault(words_.column('P'), ProblemCode::claimed_twice, "two codes of the block use P");
-    if (is_motion_doubtful_ && words_.code(CodeGroup::motion) == kNoCode)
+    if ((is_motion_doubtful_ && words_.code(CodeGroup::motion) == kNoCode) || drawing_.is_mode_doubtful)
         for (const char letter : {'I', 'J', 'K', 'R', 'P', 'Q', 'L'}) words_.take(letter);
     return std::nullopt;
 }

@@ -28,8 +28,8 @@ struct InterpreterOptions {
     Position start{};            ///< where the machine stands, machine coordinates
     bool is_start_known = true;  ///< it stands there; false: anywhere
     DrawingMachine drawing{};
-    /// Loops and calls may have so many blocks executed in all, and so many in a row that make neither a
-    /// move, a dwell nor a stop.
+    /// Loops and calls may have so many blocks executed in all, each piece of a drawn way being one, and so
+    /// many in a row that make neither a move, a dwell nor a stop.
     std::uint64_t most_repeated_blocks = 100'000'000;
     std::uint64_t most_idle_blocks = 1'000'000;
 };
@@ -61,6 +61,8 @@ public:
     bool has_ended() const noexcept { return has_ended_; }
     /// A line that could not be read may have been the end.
     bool is_end_doubtful() const noexcept { return is_end_doubtful_; }
+    /// Ways that drawn ones have become, from the program's begin.
+    std::uint64_t drawn_chord_count() const noexcept { return drawn_chord_count_; }
     std::uint64_t motion_count() const noexcept { return motion_count_; }
     /// Moves that lead somewhere, dwells and stops.
     std::uint64_t action_count() const noexcept { return action_count_; }
@@ -80,6 +82,8 @@ private:
 
     void pass_wrong() noexcept;
     void doubt_modes(char tens, char ones) noexcept;
+    void doubt_drawing() noexcept;
+    void pass_doubtful_move() noexcept;
     bool are_places_doubtful() const noexcept {
         return are_units_doubtful_ || is_distance_doubtful_ || are_values_doubtful_;
     }
@@ -132,15 +136,17 @@ private:
     Fault draw();
     Fault draw_in_polar();
     Fault draw_on_cylinder();
+    const Plane* plane_by_words() const noexcept;
     Fault arc_in_plane(const PlanePoint& from, const PlanePoint& to, PlanePoint& centre, int& turns);
     Fault judge_core(const PolarWay& way) const;
     void locate_in_polar(const PlanePoint& to, Position& end) noexcept;
-    Fault carry_out_polar(const PolarWay& way, const Position& end);
+    Fault carry_out_polar(const PolarWay& way, const Position& end, AxisMask before);
     Fault carry_out_on_cylinder(const CanonRecord& arc, const Position& end, double length_mm);
     void emit_drawn(const Position& program, double share, const FeedAlong& along, bool is_first,
                     bool is_last);
     bool is_drawing(DrawnMode mode) const noexcept { return drawing_.mode == mode; }
     double chord_mm() const noexcept;
+    double moved_mm(const Position& to, AxisMask letters) const noexcept;
     Fault drill();
     Fault read_cycle_words();
     void drill_hole(Position& at, double clear_mm, double depth_mm, double retract_mm);
@@ -188,6 +194,7 @@ private:
     bool is_motion_doubtful_ = false;
     bool is_end_doubtful_ = false;
     bool has_ended_ = false;
+    std::uint64_t drawn_chord_count_ = 0;
     std::uint64_t motion_count_ = 0;
     std::uint64_t action_count_ = 0;
     std::uint64_t line_ = 0;

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What G7.1 draws on the unrolled cylinder.
+#include <algorithm>
 #include <cmath>
 
 #include "hmi/gcode/arc_chords.hpp"
 #include "hmi/gcode/interpreter.hpp"
+#include "hmi/gcode/surface_feed.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::gcode {
 namespace {
 
-double drawn_length_mm(const Position& from, const Position& to, std::size_t begin) noexcept {
-    return std::hypot(to[begin] - from[begin], to[begin + 1] - from[begin + 1],
-                      to[begin + 2] - from[begin + 2]);
-}
-
-/// Of X Y Z, or of U V W where these stand.
-double linear_mm(const Position& from, const Position& to) noexcept {
-    const double length_mm = drawn_length_mm(from, to, 0);
-    return length_mm < kLeastWayMm ? drawn_length_mm(from, to, 6) : length_mm;
-}
+constexpr AxisMask kUvw = 0x1C0;
 
 }  // namespace
 
+/// Where no machine says whether Y or Z is y: the words of an arc do.
+const Plane* Interpreter::plane_by_words() const noexcept {
+    const bool has_z = (words_.axes() & mask_of(2)) != 0 && (words_.axes() & mask_of(1)) == 0;
+    return words_.has('K') || (words_.has('R') && has_z) ? &kCylinderZc : &kCylinderCy;
+}
+
 Interpreter::Fault Interpreter::draw_on_cylinder() {
     const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
+    if (!options_.drawing.is_known) modes_.plane = plane_by_words();
     const Plane& plane = *modes_.plane;
     const Position end = target();
     CanonRecord arc;  // where it is drawn
@@ -33,7 +33,9 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
     arc.end[kTurnLetter] *= mm_per_deg;
     const double turned_mm = arc.end[kTurnLetter] - arc.start[kTurnLetter];
     if (motion_to_be_ == 0 || motion_to_be_ == 10) {
-        const double length_mm = std::hypot(linear_mm(program_, end), turned_mm);
+        double moved = moved_mm(end, options_.drawing.linear_letters());
+        if (moved < kLeastWayMm) moved = moved_mm(end, kUvw);
+        const double length_mm = std::hypot(moved, turned_mm);
         note_places(words_.axes(), false);
         const FeedAlong along = length_mm < kLeastWayMm ? feed_of_line(program_, end)
                                                         : FeedAlong{feed_of_length(length_mm), length_mm};
@@ -50,17 +52,16 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
     arc.centre_second_mm = centre.second_mm;
     const double round_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm) *
                             sweep_rad(from, to, centre, arc.turns);
-    double squares = round_mm * round_mm;
-    for (std::size_t letter = 0; letter < 3; ++letter) {
-        const double moved_mm = end[letter] - program_[letter];
-        if (letter != plane.first && letter != plane.second) squares += moved_mm * moved_mm;
-    }
-    return carry_out_on_cylinder(arc, end, std::sqrt(squares));
+    const auto across = static_cast<AxisMask>(options_.drawing.linear_letters() &
+                                              ~(mask_of(plane.first) | mask_of(plane.second)));
+    return carry_out_on_cylinder(arc, end, std::hypot(round_mm, moved_mm(end, across)));
 }
 
 Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, const Position& end,
                                                       double length_mm) {
-    const ArcChords chords{arc, chord_mm()};
+    // A tip outside the cylinder is as much further off as it is further out.
+    const double tip_mm = greatest_tip_radius_mm(options_.drawing, machine_, offsets_.to_machine(end));
+    const ArcChords chords{arc, chord_mm() / std::max(1.0, tip_mm / drawing_.radius_mm)};
     if (chords.count() > kMostDrawnChords)
         return fault(words_.axis_column(), ProblemCode::out_of_range, "an arc of more than 100000 chords");
     const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
@@ -68,8 +69,9 @@ Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, co
     const AxisMask before = placed_;
     note_places(words_.axes(), false);
     const AxisMask behind = placed_;
-    // An arc from anywhere has a known end alone.
-    if ((before & axes) != axes) placed_ = static_cast<AxisMask>(before & ~axes);
+    // What gets its place by it has that at its end alone, and so has all of an arc from anywhere.
+    placed_ = static_cast<AxisMask>(behind & before);
+    if ((before & axes) != axes) placed_ = static_cast<AxisMask>(placed_ & ~axes);
     const FeedAlong along{feed_of_length(length_mm), length_mm};
     const double share = 1.0 / static_cast<double>(chords.count());
     for (std::uint64_t chord = 1; chord < chords.count() && sink_.wants_more(); ++chord) {

@@ -49,7 +49,7 @@ Interpreter::Fault Interpreter::judge_drawing() {
     if (code != 71) return words_.left_over();
     if (!words_.has('C'))
         return fault(column, ProblemCode::word_missing, "G7.1 has no C, the cylinder's radius");
-    if (words_.value('C') < 0.0)
+    if (words_.value('C') < 0.0 && !are_values_doubtful_)
         return fault(words_.column('C'), ProblemCode::out_of_range, "a cylinder's radius of less than 0");
     return words_.left_over();
 }
@@ -71,6 +71,12 @@ Interpreter::Fault Interpreter::judge_drawing_mode() {
 Interpreter::Fault Interpreter::set_drawing() {
     const int code = words_.code(CodeGroup::drawing);
     const bool ends = code == 131 || (code == 71 && words_.value('C') == 0.0);
+    // Behind a wrong one, or with a value that is not known, nobody knows what held.
+    drawing_.is_mode_doubtful = code == 71 && are_values_doubtful_;
+    if (drawing_.is_mode_doubtful) {
+        doubt_drawing();
+        return std::nullopt;
+    }
     const DrawnMode mode = code == 71 ? DrawnMode::cylinder : DrawnMode::polar;
     // To end what does not hold is right: programs begin so, for safety.
     const bool holds_other = !is_drawing(DrawnMode::none) && (!ends || !is_drawing(mode));
@@ -106,15 +112,30 @@ Interpreter::Fault Interpreter::begin_polar() {
                      "G12.1, and the program has not said yet where X and C are");
     const double zero_mm = offsets_.origin(offsets_.active())[kDepthLetter] +
                            (offsets_.is_shifted() ? offsets_.kept_shift()[kDepthLetter] : 0.0);
-    const double radius_mm = program_[kDepthLetter];
-    char text[96];
+    const DrawingMachine& machine = options_.drawing;
+    const double radius_mm = program_[kDepthLetter] + machine.tip_mm[0];
+    const double apart_mm = machine.tip_mm[1] - machine.tip_mm[0];
+    char text[120];
+    std::snprintf(text, sizeof text, "G12.1, and the tip of r2, which follows, stands %.4f mm further %s",
+                  std::abs(apart_mm), apart_mm < 0.0 ? "in" : "out");
+    if (machine.follows && std::abs(apart_mm) > machine.half_pulse_mm[1])
+        return fault(column, ProblemCode::drawing_begin, text);
     std::snprintf(text, sizeof text, "G12.1, and X 0 lies %.4f mm off the axis", zero_mm);
     if (std::abs(zero_mm) > kSameZeroMm) return fault(column, ProblemCode::drawing_begin, text);
-    std::snprintf(text, sizeof text, "G12.1 at X %.4f mm, and there is no direction", radius_mm);
+    std::snprintf(text, sizeof text, "G12.1 with the tip %.4f mm from the axis, and there is no direction",
+                  radius_mm);
     if (!(radius_mm >= kLeastPolarMm)) return fault(column, ProblemCode::drawing_begin, text);
     const double angle_rad = rad_from_deg(program_[kTurnLetter]);
     drawing_.place = {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
     return std::nullopt;
+}
+
+/// It may have been drawn, or gone to straight.
+void Interpreter::pass_doubtful_move() noexcept {
+    const AxisMask axes = static_cast<AxisMask>(words_.axes() | kDrawnLetters);
+    doubtful_ |= axes;
+    placed_ = static_cast<AxisMask>(placed_ & ~axes);
+    start_placed_ = static_cast<AxisMask>(start_placed_ & ~axes);
 }
 
 /// C goes on from the direction that it has come to, with all its turns.
@@ -127,6 +148,16 @@ void Interpreter::end_drawing() noexcept {
 double Interpreter::chord_mm() const noexcept {
     return kChordShare *
            (drawing_.tolerance_mm > 0.0 ? drawing_.tolerance_mm : options_.drawing.tolerance_mm);
+}
+
+/// Along these letters alone, from where the machine stands.
+double Interpreter::moved_mm(const Position& to, AxisMask letters) const noexcept {
+    double squares = 0.0;
+    for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
+        const double moved_mm = to[letter] - program_[letter];
+        if ((letters & mask_of(letter)) != 0) squares += moved_mm * moved_mm;
+    }
+    return std::sqrt(squares);
 }
 
 Interpreter::Fault Interpreter::draw() {
@@ -152,6 +183,7 @@ void Interpreter::emit_drawn(const Position& program, double share, const FeedAl
                              bool is_last) {
     CanonRecord moved = record(motion_to_be_ == 0 ? CanonKind::rapid : CanonKind::feed);
     moved.is_drawn = true;
+    ++drawn_chord_count_;
     moved.begins_within = !is_first;
     moved.ends_within = !is_last;
     emit_move(moved, program,

@@ -44,6 +44,10 @@ Interpreter::Fault Interpreter::move() {
     if (motion_to_be_ == kNoCode) return std::nullopt;
     const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
     if (!is_arc && !is_cycle(motion_to_be_) && words_.axes() == 0) return std::nullopt;
+    if (drawing_.is_mode_doubtful) {
+        pass_doubtful_move();
+        return std::nullopt;
+    }
     if (!is_drawing(DrawnMode::none)) return draw();
     if (is_cycle(motion_to_be_)) {
         if (words_.axes() == 0)

@@ -25,7 +25,7 @@ void Interpreter::locate_in_polar(const PlanePoint& to, Position& end) noexcept 
     drawing_.is_doubtful = !is_said || are_places_doubtful() || (unknown_zeros() & kDrawnLetters) != 0 ||
                            !(radius_mm >= kLeastPolarMm);
     if (drawing_.is_doubtful) return;
-    end[kDepthLetter] = radius_mm;
+    end[kDepthLetter] = radius_mm - options_.drawing.tip_mm[0];
     end[kTurnLetter] = deg_from_rad(std::atan2(to.second_mm, to.first_mm));
     placed_ |= kDrawnLetters;
     doubtful_ = static_cast<AxisMask>(doubtful_ & ~kDrawnLetters);
@@ -49,6 +49,7 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     Position end = target();
     end[kDepthLetter] = program_[kDepthLetter];
     end[kTurnLetter] = program_[kTurnLetter];
+    const AxisMask before = placed_;
     note_places(static_cast<AxisMask>(words_.axes() & ~kDrawnLetters), false);
     if (drawing_.is_doubtful) {
         locate_in_polar(to, end);
@@ -63,24 +64,28 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     }
     if (auto wrong = judge_core(way)) return wrong;
     drawing_.place = to;
-    return carry_out_polar(way, end);
+    return carry_out_polar(way, end, before);
 }
 
-/// Machine and program count X from the axis on, but for a tool's length.
+/// The way is that of the tip, but for a tool's length, which the program alone knows.
 Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
+    const DrawingMachine& machine = options_.drawing;
     const double tool_mm = machine_[kDepthLetter] - program_[kDepthLetter];
     const double least_mm = way.least_radius_mm(0.0, 1.0);
-    const double core_mm = options_.drawing.core_mm;
+    const auto comes_into_core = [&](std::size_t head) {
+        return least_mm + tool_mm < machine.core_mm - machine.half_pulse_mm[head];
+    };
     const bool has_direction = least_mm >= kLeastPolarMm;
-    if (has_direction && least_mm + tool_mm >= core_mm - options_.drawing.core_half_pulse_mm)
-        return std::nullopt;
+    const bool is_of_second = machine.follows && !comes_into_core(0) && comes_into_core(1);
+    if (has_direction && !is_of_second && !comes_into_core(0)) return std::nullopt;
     const PlanePoint there = way.at(way.nearest_share());
     char text[200];
     if (has_direction) {
-        std::snprintf(text, sizeof text,
-                      "at X %.4f C %.4f mm r1 comes to %.4f mm, and the core that it must not reach ends at "
-                      "%.4f mm",
-                      there.first_mm, there.second_mm, least_mm + tool_mm, core_mm);
+        std::snprintf(
+            text, sizeof text,
+            "at X %.4f C %.4f mm the tip of %s comes to %.4f mm, and the core that it must not reach "
+            "ends at %.4f mm",
+            there.first_mm, there.second_mm, is_of_second ? "r2" : "r1", least_mm + tool_mm, machine.core_mm);
     } else {
         std::snprintf(text, sizeof text, "at X %.4f C %.4f mm the way passes the axis", there.first_mm,
                       there.second_mm);
@@ -88,17 +93,21 @@ Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
     return fault(words_.axis_column(), ProblemCode::core_radius, text);
 }
 
-/// Pieces of the way are halved until they are even enough.
-Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end) {
+/// Pieces of the way are halved until they are even enough. What gets its place by the block, and had none
+/// `before`, has it at the end alone.
+Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end, AxisMask before) {
     constexpr double kLeastChordMm = 1e-7;
     const Position start = program_;
-    const double length_mm = std::hypot(way.length_mm(), end[1] - start[1], end[2] - start[2]);
+    const auto beside = static_cast<AxisMask>(options_.drawing.linear_letters() & ~kDrawnLetters);
+    const double length_mm = std::hypot(way.length_mm(), moved_mm(end, beside));
     const FeedAlong along{feed_of_length(length_mm), length_mm};
     const double most_mm = std::max(chord_mm(), kLeastChordMm);
     const double begin_rad = rad_from_deg(start[kTurnLetter]);
     std::array<double, kMostHalvings> ends{1.0};
     std::size_t open = 1;
     double from = 0.0;
+    const AxisMask behind = placed_;
+    placed_ = static_cast<AxisMask>(behind & before);
     for (std::uint64_t count = 1; open > 0 && sink_.wants_more() && !is_too_far_;) {
         const double to = ends[open - 1];
         if (open < ends.size() && way.deviation_mm(from, to) > most_mm) {
@@ -111,12 +120,13 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
         for (std::size_t letter = 0; letter < kLetterCount; ++letter)
             at[letter] = to < 1.0 ? start[letter] + to * (end[letter] - start[letter]) : end[letter];
         const PlanePoint there = way.at(to);
-        at[kDepthLetter] = std::hypot(there.first_mm, there.second_mm);
+        at[kDepthLetter] = std::hypot(there.first_mm, there.second_mm) - options_.drawing.tip_mm[0];
         // The direction itself, with the turns that it has come to: nothing is summed up.
         const double direction_rad = std::atan2(there.second_mm, there.first_mm);
         const double turns = std::round((begin_rad + way.turned_rad(to) - direction_rad) / (2.0 * kPi));
         at[kTurnLetter] = deg_from_rad(direction_rad) + turns * kDegPerRev;
-        emit_drawn(at, to - from, along, from == 0.0, --open == 0);
+        if (--open == 0) placed_ = behind;
+        emit_drawn(at, to - from, along, from == 0.0, open == 0);
         from = to;
     }
     return std::nullopt;

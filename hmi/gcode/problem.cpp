@@ -48,7 +48,7 @@ constexpr std::array<CodeRow, kProblemCodeCount> kCodeRows{{
     {arc_rotated, "arc_rotated", "use G17, or take the rotation away with G10 L2 R0"},
     {drawing_beside, "drawing_beside", "give G7.1 with its C, G12.1 and G13.1 a block of their own"},
     {drawing_begin, "drawing_begin",
-     "bring X and C to known places first, with X 0 on the axis and no rotation"},
+     "bring X and C to known places first, with X 0 on the axis, no rotation and both tips of one X alike"},
     {drawing_code, "drawing_code", "end the mode first, with G7.1 C0 or G13.1"},
     {cycle_depth, "cycle_depth", "set R above the depth of the hole"},
     {cycle_feed_mode, "cycle_feed_mode", "use G94 for cycles"},

@@ -175,12 +175,14 @@ bool ProgramReader::is_work_bounded() {
         tell(std::nullopt);
         return false;
     }
+    const std::uint64_t chords = interpreter_->drawn_chord_count() - drawn_chords_;
+    drawn_chords_ += chords;
     if (flow_.called_line() == 0 && lines_.number() > main_line_count_) {
         main_line_count_ = lines_.number();
         return true;
     }
     sink_.end_block();
-    ++repeated_blocks_;
+    repeated_blocks_ += std::max<std::uint64_t>(chords, 1);
     ++idle_blocks_;
     if (actions_ != interpreter_->action_count()) idle_blocks_ = 0;
     actions_ = interpreter_->action_count();

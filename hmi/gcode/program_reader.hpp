@@ -56,6 +56,7 @@ private:
     std::uint64_t main_line_count_ = 0;  ///< of the main program, since the first O word
     std::uint64_t repeated_blocks_ = 0;  ///< behind a jump back, or called
     std::uint64_t idle_blocks_ = 0;
+    std::uint64_t drawn_chords_ = 0;
     std::uint64_t actions_ = 0;
 };
 

@@ -28,6 +28,17 @@ double turned_rad(const Position& from, const Position& to) noexcept {
 
 }  // namespace
 
+double greatest_tip_radius_mm(const DrawingMachine& machine, const Position& from,
+                              const Position& to) noexcept {
+    double most_mm = 0.0;
+    for (std::size_t head = 0; head < machine.head_letters.size(); ++head) {
+        if (is_out(machine, head, from, to) && !are_all_out(machine, from, to)) continue;
+        const std::size_t letter = machine.head_letters[head];
+        most_mm = std::max(most_mm, machine.tip_radius_mm(head, std::max(from[letter], to[letter])));
+    }
+    return most_mm;
+}
+
 double line_over_surface_mm(const DrawingMachine& machine, const Position& from,
                             const Position& to) noexcept {
     const std::size_t y = machine.is_y_on_z ? 2 : 1;
@@ -35,7 +46,7 @@ double line_over_surface_mm(const DrawingMachine& machine, const Position& from,
     for (std::size_t head = 0; head < machine.head_letters.size(); ++head) {
         if (is_out(machine, head, from, to) && !are_all_out(machine, from, to)) continue;
         const std::size_t letter = machine.head_letters[head];
-        const double radius_mm = std::max(std::abs(from[letter]), std::abs(to[letter]));
+        const double radius_mm = machine.tip_radius_mm(head, std::max(from[letter], to[letter]));
         most_mm = std::max(most_mm, std::hypot(to[letter] - from[letter], to[y] - from[y],
                                                radius_mm * turned_rad(from, to)));
     }
@@ -53,10 +64,10 @@ double arc_over_surface_mm(const DrawingMachine& machine, const CanonRecord& arc
         const bool is_first = letter == plane.first;
         if (is_first || letter == plane.second) {
             const std::size_t which = is_first ? 0 : 1;
-            radius_mm =
-                std::max({radius_mm, std::abs(reach.least_mm[which]), std::abs(reach.most_mm[which])});
+            radius_mm = std::max(radius_mm, machine.tip_radius_mm(head, reach.most_mm[which]));
         } else if (!is_out(machine, head, arc.start, arc.end)) {
-            radius_mm = std::max({radius_mm, std::abs(arc.start[letter]), std::abs(arc.end[letter])});
+            radius_mm = std::max(radius_mm,
+                                 machine.tip_radius_mm(head, std::max(arc.start[letter], arc.end[letter])));
         }
     }
     return std::hypot(length_mm, radius_mm * turned_rad(arc.start, arc.end));

@@ -7,6 +7,11 @@
 
 namespace psicarve::gcode {
 
+/// How far from the axis a tip comes on a straight way of the axes from one place of the machine to the
+/// other; one that stays at the end of its travel cuts nothing.
+double greatest_tip_radius_mm(const DrawingMachine& machine, const Position& from,
+                              const Position& to) noexcept;
+
 /// How far a tool goes over the piece on a straight way of the axes from one place of the machine to the
 /// other, at the greatest radius that it has on it: so no part of it is faster than the feed. Of both heads'
 /// the longer one; a head that stays at the end of its travel cuts nothing.

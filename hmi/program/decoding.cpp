@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 #include "hmi/offsets/offsets_file.hpp"
 
 namespace psicarve::program {
@@ -131,11 +131,9 @@ Result<gcode::KeptOffsets> offsets_for(const DecodeRequest& request) {
 
 gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode::AxisLetters& letters,
                                        const gcode::KeptOffsets& offsets) {
-    gcode::InterpreterOptions how;
+    gcode::InterpreterOptions how = gcode::machine_options(request.profile);
     how.skips_deleted = request.skips_deleted;
     how.offsets = offsets;
-    how.reference = gcode::MachineCheck::reference_of(request.profile);
-    how.drawing = gcode::drawing_machine_of(request.profile);
     how.is_start_known = request.start.has_value();
     // r1 last: where r2 follows it, one letter stands for both.
     for (const Axis axis : {Axis::r2, Axis::psi, Axis::y, Axis::r1}) {

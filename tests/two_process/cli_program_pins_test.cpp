@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `psicarve gcode run` records of a program, and how `psicarve verify --program` judges it.
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "shared/base/units.hpp"
 #include "shared/job/job.hpp"
+#include "shared/profile/profile.hpp"
 #include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
@@ -102,6 +108,57 @@ TEST_F(ProgramPins, OfADrawingAreSimulatedRecordedAndJudged) {
     for (const auto& [from, to] : changes)
         EXPECT_EQ(verified(file("pins.trace"), program("other.ngc", changed(kDrawn, from, to))), 6)
             << from << " -> " << to;
+}
+
+// A square whose ways a machine with tips elsewhere than counted draws as any other.
+TEST_F(ProgramPins, OfADrawingCarveItWithTheTip) {
+    Profile profile;
+    profile.r1.tip_offset_mm = 4.5;
+    profile.r1.tool_wear_mm = 0.5;
+    profile.blank.radius_mm = 47.0;
+    profile.blank.height_mm = 60.0;
+    write("tip.toml", profile_to_toml(profile));
+    const std::string path = program("square.ngc",
+                                     "G21 G90 F1800\nG0 X50 Z60 Y40 C0\nG12.1\nG1 X30\nC30\nX-30\nC-30\nX30\n"
+                                     "C0\nG0 X50\nG13.1\nM2\n");
+    start_core({"--profile", file("tip.toml"), "--piece", file("piece.csv")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const Outcome done = run({"gcode", "run", path, "--profile", file("tip.toml")});
+    ASSERT_EQ(done.exit_code, 0) << done.error;
+    core_->send(SIGTERM);
+    ASSERT_EQ(core_->wait(), 0) << core_->error();
+    core_.reset();
+    std::ifstream csv(file("piece.csv"));
+    std::string line;
+    std::getline(csv, line);
+    std::size_t cuts = 0;
+    while (std::getline(csv, line)) {
+        double direction_deg = 0.0, height_mm = 0.0, radius_mm = 0.0;
+        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &direction_deg, &height_mm, &radius_mm), 3)
+            << line;
+        // Elsewhere it is what homing has cut.
+        if (std::abs(height_mm - 40.0) > 0.02) continue;
+        const double angle_rad = rad_from_deg(direction_deg);
+        const double out_mm =
+            radius_mm * std::max(std::abs(std::cos(angle_rad)), std::abs(std::sin(angle_rad)));
+        // The path's tolerance, 0.01 mm; a pulse of psi at a corner, 0.03 mm; one of r1, and half a cell.
+        ASSERT_NEAR(out_mm, 30.0, 0.05) << line;
+        ++cuts;
+    }
+    EXPECT_GT(cuts, 3000U);
+}
+
+// A stream is run as it comes, but a drawn way only once all of it is known to be right.
+TEST_F(ProgramPins, OfAStreamHaveNothingOfADrawnWayThatIsRefused) {
+    const std::string begin = "G21 G90 F900\nG0 X40 Z55 C0 Y40\nG61\nG12.1\n";
+    const std::vector<std::array<std::string, 2>> blocks{{"G1 X45 C50\n", ":5:4: "},
+                                                         {"G3 I-1 P100000\n", ":5:1: "}};
+    for (const auto& [block, place] : blocks) {
+        program("stream.ngc", begin + block + "G13.1\nM2\n");
+        EXPECT_EQ(streamed("stream.ngc", "--simulate --trace " + file("new.trace")), 3);
+        EXPECT_NE(text_of(file("said")).find(place), std::string::npos) << text_of(file("said"));
+        EXPECT_EQ(verified(file("new.trace"), program("right.ngc", begin + "G13.1\nM2\n")), 0) << block;
+    }
 }
 
 TEST_F(ProgramPins, AreRecordedFromARunningCore) {

@@ -41,7 +41,9 @@ void ProgramRule::note_kind(const Live& way) {
 void ProgramRule::note_time(const Live& way) {
     note_kind(way);
     Stretch& all = stretch_;
+    if (!way.demand.goes_on) note_lowered();
     if (all.ways++ == 0) {
+        all.goes_on = way.demand.goes_on;
         all.begun_ns = way.begun_ns.value_or(way.ended_ns);
         all.first_line = way.demand.line;
     }
@@ -66,7 +68,7 @@ void ProgramRule::judge_time(const Live& way) {
     const double slack_s = 2.0 * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
                            passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm;
     const double taken_s = seconds_from_ns(way.ended_ns - stretch_.begun_ns);
-    if (wanted_s > 0.0) note_lowered(way, taken_s - slack_s);
+    if (wanted_s > 0.0) gather_lowered(way, taken_s - slack_s);
     if (taken_s >= wanted_s - slack_s || !log_.count(1, way.ended_ns)) return;
     Offence offence;
     offence.fault = "feed";
@@ -80,11 +82,21 @@ void ProgramRule::judge_time(const Live& way) {
     report(way.ended_ns, std::move(offence), way.demand.line);
 }
 
-void ProgramRule::note_lowered(const Live& way, double taken_s) {
+void ProgramRule::gather_lowered(const Live& way, double taken_s) {
     if (stretch_.asked_s >= kHardlyLowered * taken_s) return;
-    lowered_s_ += taken_s - stretch_.asked_s;
+    if (!stretch_.goes_on || (gathered_ && gathered_->last_line != stretch_.first_line)) note_lowered();
+    if (!gathered_) gathered_ = LoweredFeed{.first_line = stretch_.first_line};
+    gathered_->last_line = way.demand.line;
+    gathered_->asked_s += stretch_.asked_s;
+    gathered_->taken_s += taken_s;
+}
+
+void ProgramRule::note_lowered() {
+    if (!gathered_) return;
+    const LoweredFeed now = *gathered_;
+    gathered_.reset();
+    lowered_s_ += now.lost_s();
     ++lowered_count_;
-    const LoweredFeed now{stretch_.first_line, way.demand.line, stretch_.asked_s, taken_s};
     const auto worse = [](const LoweredFeed& one, const LoweredFeed& other) {
         return one.lost_s() > other.lost_s();
     };
@@ -203,6 +215,7 @@ Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
 void ProgramRule::finish(std::int64_t time_ns) {
     if (!ways_) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
     judge_end(time_ns);
+    note_lowered();
     phase_ = Phase::over;
     // A wrong program judges nothing, wherever the trace ends.
     ways_->pass_rest();

@@ -37,6 +37,7 @@ void ProgramRule::start(const Positions& positions) {
     phase_ = Phase::waiting;
     ways_done_ = 0;
     stretch_ = {};
+    gathered_.reset();
     lowered_.clear();
     lowered_s_ = 0.0;
     lowered_count_ = 0;

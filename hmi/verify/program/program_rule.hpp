@@ -111,6 +111,7 @@ private:
         double slowest_s_per_mm = 0.0;
         double pulse_s = 0.0;  ///< the longest that one takes at the feed
         bool is_from_rest = true;
+        bool goes_on = false;  ///< within a drawn way
     };
 
     void start(const Positions& positions);
@@ -127,7 +128,8 @@ private:
     void note_time(const Live& way);
     void note_kind(const Live& way);
     void judge_time(const Live& last);
-    void note_lowered(const Live& last, double taken_s);
+    void gather_lowered(const Live& last, double taken_s);
+    void note_lowered();
     void judge_end(std::int64_t time_ns);
     void judge_rest(const Live& way, std::int64_t time_ns);
     void judge_spindle(std::int64_t time_ns, bool spindle_on);
@@ -155,6 +157,7 @@ private:
     std::int64_t last_ns_ = 0;
     std::uint64_t ways_done_ = 0;
     double most_off_mm_ = 0.0;
+    std::optional<LoweredFeed> gathered_;  ///< of a drawn way, whose pieces are one
     std::vector<LoweredFeed> lowered_;
     double lowered_s_ = 0.0;
     std::uint64_t lowered_count_ = 0;

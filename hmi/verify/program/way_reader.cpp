@@ -127,6 +127,7 @@ std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
     if (record.is_drawn) demand.tolerance_mm *= 1.0 - gcode::kChordShare;
     if (record.feed_per_min > 0.0) demand.seconds = record.length / record.feed_per_min * kSecondsPerMinute;
     demand.needs_spindle = is_spindle_on_;
+    demand.goes_on = record.begins_within;
     return demand;
 }
 

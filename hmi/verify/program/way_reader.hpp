@@ -27,6 +27,7 @@ struct WayDemand {
     bool is_exact = false;      ///< its end is reached to the pulse, at rest
     double seconds = 0.0;       ///< the least that it may take; 0: as fast as the machine can
     double dwell_s = 0.0;       ///< the rest at its end
+    bool goes_on = false;       ///< a piece of a drawn way, and not its first
     bool needs_spindle = false;
 };
 

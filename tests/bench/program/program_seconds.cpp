@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/gcode/record_maker.hpp"
 #include "rtcore/plan/record_program.hpp"
@@ -74,9 +74,8 @@ plan::Pulses4 reference_pulses(const Profile& profile) {
 int tell(const std::string& path, const Profile& profile) {
     const plan::Pulses4 start = reference_pulses(profile);
     const auto steps = std::make_shared<StepList>(profile, start);
-    gcode::InterpreterOptions options;
-    options.reference = options.start = gcode::MachineCheck::reference_of(profile);
-    options.drawing = gcode::drawing_machine_of(profile);
+    gcode::InterpreterOptions options = gcode::machine_options(profile);
+    options.start = options.reference;
     gcode::RecordMaker maker{profile, {}, *steps};
     gcode::ProblemList problems;
     gcode::LineSource lines{bytes_of_file(path)};

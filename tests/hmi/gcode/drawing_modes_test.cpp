@@ -100,6 +100,52 @@ TEST(DrawingModes, RefuseAWayOfTooManyPieces) {
     EXPECT_EQ(drawn_faults(kCylinder + "G3 I-5 P10000\nM2\n"), Faults{"4:1 out_of_range"});
 }
 
+TEST(DrawingModes, CountEachPieceWhereLoopsAreBounded) {
+    const auto faults_of = [](std::uint64_t most_blocks, const std::string& times) {
+        InterpreterOptions options = machine_options({});
+        options.most_repeated_blocks = most_blocks;
+        return read_program(kCylinder + "o1 repeat [" + times + "]\nG2 I10\no1 endrepeat\nM2\n", options)
+            ->faults();
+    };
+    EXPECT_EQ(faults_of(2000, "10"), Faults{});
+    EXPECT_EQ(faults_of(2000, "100"), Faults{"6:1 too_many_blocks"});
+}
+
+TEST(DrawingModes, AreNotJudgedBehindAWrongBlockUntilARightOne) {
+    // What follows is right, or wrong, by a mode that nobody knows.
+    const std::string drawing =
+        "G1 X30 C30\nC-30\nG2 X-20 C10 I3\nG18\nG2 K10\nG53 G0 X40\nG92 X3\nG28\nG1 X-20\n";
+    for (const auto& [block, fault] :
+         std::vector<std::pair<std::string, std::string>>{{"G12.1 X10", "3:7 drawing_beside"},
+                                                          {"G12.1 @", "3:7 bad_character"},
+                                                          {"G 1 2 . 1 X&", "3:11 number_missing"},
+                                                          {"g012.1 @", "3:8 bad_character"},
+                                                          {"G7.1", "3:1 word_missing"},
+                                                          {"G7.1 C-3", "3:6 out_of_range"},
+                                                          {"G7.1 C&", "3:6 number_missing"}}) {
+        const std::string begin = "G21 G90 F300\nG0 X40 C0\n" + block + "\nF300\n";
+        EXPECT_EQ(drawn_faults(begin + drawing + "G13.1\nM2\n"), Faults{fault}) << block;
+        EXPECT_EQ(drawn_faults(begin + drawing + "G7.1 C0\nG0 X40 Y200\nM2\n"),
+                  (Faults{fault, "15:4 outside_travel"}))
+            << block;
+        EXPECT_EQ(drawn_faults(begin + "G7.1 C30\nG2 I3\nG12.1\nM2\n"), (Faults{fault, "7:1 drawing_code"}))
+            << block;
+    }
+    for (const std::string mode : {"G12.1", "G7.1 C30"})
+        for (const std::string block : {"G13.1 X5", "G7.1 C0 &", "G13.1 &"}) {
+            const auto faults = drawn_faults("G21 G90 F300\nG0 X40 Y20 C0\n" + mode + "\nG1 X30\n" + block +
+                                             "\nF300\n" + drawing + "M2\n");
+            EXPECT_EQ(faults.size(), 1U) << mode << " " << block << " " << faults.back();
+        }
+}
+
+TEST(DrawingModes, AreNotJudgedByAValueThatIsNotKnown) {
+    for (const std::string blocks :
+         {"#1=[1/0]\nG7.1 C#1\nF300\nG1 X30 C300\nG18\nG2 K3\nG12.1\nG1 X30\nG13.1",
+          "#1=30\n#1=[1/0]\nG7.1 C[#1]\nF300\nG2 I3\nG18\nG7.1 C0", "#1=-3\n#1=[1/0]\nG7.1 C#1\nG13.1"})
+        EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 Y20 C0\n" + blocks + "\nM2\n").size(), 1U) << blocks;
+}
+
 TEST(DrawingMachines, HaveTheProfilesTolerance) {
     EXPECT_EQ(DrawingMachine{}.tolerance_mm, JobProfile{}.path_tolerance_mm);
     Profile profile;

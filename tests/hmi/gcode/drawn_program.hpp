@@ -5,22 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "hmi/gcode/drawing_machine.hpp"
 #include "tests/hmi/gcode/read_program.hpp"
 
 namespace psicarve::gcode {
 
+/// The profile's.
+inline constexpr double kOwnToleranceMm = 0.01;
+
 inline const std::string kPolar = "G21 G90 F300\nG0 X40 C0 Y10\nG12.1\n";
 inline const std::string kCylinder = "G21 G90 F300\nG0 X50 Y50 C0\nG7.1 C45\n";
 
-inline InterpreterOptions options_of(const Profile& profile) {
-    InterpreterOptions options;
-    options.drawing = drawing_machine_of(profile);
-    return options;
-}
-
 inline std::unique_ptr<ReadProgram> drawn(const std::string& text, const Profile& profile = {}) {
-    return read_program(text, options_of(profile), &profile);
+    return read_program(text, machine_options(profile), &profile);
 }
 
 /// Of programs that are wrong on this machine: "LINE:COLUMN code".

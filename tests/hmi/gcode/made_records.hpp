@@ -39,8 +39,7 @@ struct MadeRecords {
 inline MadeRecords made_records(const std::string& text, const RunOptions& how = {},
                                 const Profile& profile = {}, bool is_start_known = true,
                                 std::size_t most = SIZE_MAX) {
-    InterpreterOptions options;
-    options.reference = MachineCheck::reference_of(profile);
+    InterpreterOptions options = machine_options(profile);
     options.start = options.reference;
     options.is_start_known = is_start_known;
     RecordList list;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 #include "hmi/gcode/program_check.hpp"
 
 namespace psicarve::gcode {

@@ -18,9 +18,7 @@ Profile surface_profile() {
 
 /// Of the last cutting move of a program that begins with these blocks.
 CanonRecord last_cut(const std::string& blocks, const Profile& profile = surface_profile()) {
-    InterpreterOptions options;
-    options.drawing = drawing_machine_of(profile);
-    const auto read = read_program("G21 G90 F300\n" + blocks + "\nM2\n", options, &profile);
+    const auto read = read_program("G21 G90 F300\n" + blocks + "\nM2\n", machine_options(profile), &profile);
     EXPECT_EQ(read->faults(), Faults{}) << blocks;
     CanonRecord last;
     for (const CanonRecord& record : read->records)
@@ -54,6 +52,22 @@ TEST(SurfaceFeed, IsCountedInMachineCoordinates) {
     profile.gcode.letters = AxisNames::turning;
     EXPECT_NEAR(last_cut("G0 X30 U60 Z50 C0\nG1 Z40 C90", profile).length, std::hypot(10.0, 30.0 * kPi / 2.0),
                 1e-9);
+}
+
+TEST(SurfaceFeed, IsThatOfTheTips) {
+    Profile profile = surface_profile();
+    profile.r1.tip_offset_mm = 5.0;
+    profile.r1.tool_wear_mm = 1.0;
+    profile.r2.tip_offset_mm = -7.0;
+    const auto turned_mm = [&](const std::string& begin) {
+        return last_cut(begin + " Y50 C0\nG1 C90", profile).length / (kPi / 2.0);
+    };
+    EXPECT_NEAR(turned_mm("G0 X30 Z60"), 36.0, 1e-9);
+    EXPECT_NEAR(turned_mm("G0 X30 Z50"), 43.0, 1e-9);
+    EXPECT_NEAR(last_cut("G0 X30 Z60 Y50 C0\nG3 Y60 J5 C90", profile).length,
+                std::hypot(5.0 * kPi, 41.0 * kPi / 2.0), 1e-9);
+    EXPECT_NEAR(last_cut("G0 X30 Z45 Y50 C0\nG2 Y60 J5 C90", profile).length,
+                std::hypot(5.0 * kPi, 38.0 * kPi / 2.0), 1e-9);
 }
 
 TEST(SurfaceFeed, OfAnArcThatTurnsIsThatOfItsFurthestPoint) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/machine_options.hpp"
 #include "hmi/verify/program/program_verifier.hpp"
 #include "tests/hmi/gcode/read_program.hpp"
 #include "tests/hmi/verify/perfect_machine.hpp"
@@ -67,7 +67,7 @@ inline JudgedProgram judged_program(const std::string& text, const Profile& prof
     program.open = [text] {
         return Result<gcode::ProgramBytes>{gcode::ProgramBytes{gcode::bytes_of(text), {}}};
     };
-    program.language.reference = gcode::MachineCheck::reference_of(profile);
+    program.language = gcode::machine_options(profile);
     return program;
 }
 

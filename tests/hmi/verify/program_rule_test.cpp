@@ -67,6 +67,34 @@ TEST(ProgramRule, RefusesAWayLeftOutAndOneThatIsNotOfTheProgram) {
     EXPECT_EQ(verdict(judged(kExact, still)), "ends-early 2");
 }
 
+TEST(ProgramRule, TellsOfADrawnWayOnceThatItsFeedWasLowered) {
+    const std::string program = "G21 G90 G94 G61 F6000\nG12.1\nG1 C30\nG1 X30\nG13.1\nG1 X41\nM2\n";
+    PlacedMachine machine;
+    const auto at = [](double x_mm, double c_mm) {
+        return ProgramPlace{std::hypot(x_mm, c_mm), 41.0, deg_from_rad(std::atan2(c_mm, x_mm)), 0.0};
+    };
+    machine.along(200, [&](double share) { return at(40.0, 30.0 * share); });
+    machine.along(200, [&](double share) { return at(40.0 - 10.0 * share, 30.0); });
+    machine.to({41.0, 41.0, 45.0, 0.0});
+    const auto report = judged(program, machine);
+    EXPECT_EQ(verdict(report), "ok");
+    ASSERT_EQ(report.lowered.size(), 3U);
+    EXPECT_EQ(report.lowered_count, 3U);
+    std::vector<std::uint64_t> lines;
+    double lost_s = 0.0;
+    for (const LoweredFeed& feed : report.lowered) {
+        EXPECT_EQ(feed.first_line, feed.last_line);
+        lines.push_back(feed.first_line);
+        lost_s += feed.lost_s();
+        if (feed.first_line == 3) {
+            EXPECT_NEAR(feed.asked_s, 30.0 / 6000.0 * 60.0, 0.05);
+        }
+    }
+    std::sort(lines.begin(), lines.end());
+    EXPECT_EQ(lines, (std::vector<std::uint64_t>{3, 4, 6}));
+    EXPECT_NEAR(lost_s, report.lowered_seconds, 1e-9);
+}
+
 // Under G61 a way is straight to the pulse, however near to its end.
 TEST(ProgramRule, RefusesAnAxisThatGoesBesideTheOthers) {
     PlacedMachine machine;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// G7.1 and G12.1: what is drawn, and what the axes do.
+// G12.1: what is drawn, and what the axes do.
 #include <cmath>
 #include <random>
 
@@ -10,17 +10,11 @@
 namespace psicarve::gcode {
 namespace {
 
-constexpr double kOwnToleranceMm = 0.01;
 /// Where r1 and psi stand, in the cross-section, and a share of the way between both.
 PlanePoint cross_section_at(const CanonRecord& record, double share) {
     const double radius_mm = record.start[0] + share * (record.end[0] - record.start[0]);
     const double angle_rad = rad_from_deg(record.start[5] + share * (record.end[5] - record.start[5]));
     return {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
-}
-
-PlanePoint surface_at(const CanonRecord& record, double share, double radius_mm) {
-    return {rad_from_deg(record.start[5] + share * (record.end[5] - record.start[5])) * radius_mm,
-            record.start[1] + share * (record.end[1] - record.start[1])};
 }
 
 TEST(Polar, WaysKeepTheirShareOfTheToleranceWhateverIsDrawn) {
@@ -138,8 +132,8 @@ TEST(Polar, RefusesAWayThroughTheCoreWithThePoint) {
     ASSERT_FALSE(read->problems.errors().empty());
     EXPECT_EQ(read->faults(), Faults{"5:1 core_radius"});
     EXPECT_EQ(read->problems.errors().front().what,
-              "at X 0.0000 C 4.0000 mm r1 comes to 4.0000 mm, and the core that it must not reach ends at "
-              "5.0000 mm");
+              "at X 0.0000 C 4.0000 mm the tip of r1 comes to 4.0000 mm, and the core that it must not reach "
+              "ends at 5.0000 mm");
     // To the pulse: 400 of them a mm.
     EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4.999\nX-20\nM2\n", profile), Faults{});
     EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4.998\nX-20\nM2\n", profile), Faults{"5:1 core_radius"});
@@ -165,17 +159,90 @@ TEST(Polar, CountsAToolsLengthToTheCore) {
               Faults{"6:1 core_radius"});
 }
 
+TEST(Polar, DrawsWithTheTipHoweverFarThatIsFromWhereItsHeadIsCounted) {
+    Profile profile;
+    profile.core_radius_mm = 5.0;
+    profile.r1.tip_offset_mm = 5.5;
+    profile.r1.tool_wear_mm = 0.5;
+    profile.r2.tip_offset_mm = 2.0;
+    const auto read =
+        drawn("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X#5420 C30\nX30\nX-30 C20\nG13.1\nG0 X24\nM2\n", profile);
+    ASSERT_EQ(read->faults(), Faults{});
+    const auto tip_at = [](const CanonRecord& record, double share) {
+        CanonRecord moved = record;
+        moved.start[0] += 6.0;
+        moved.end[0] += 6.0;
+        return cross_section_at(moved, share);
+    };
+    EXPECT_NEAR(tip_at(of_line(*read, 4).back(), 1.0).first_mm, 46.0, 1e-9);
+    EXPECT_NEAR(tip_at(of_line(*read, 5).back(), 1.0).first_mm, 30.0, 1e-9);
+    for (const CanonRecord& chord : of_line(*read, 6))
+        for (double share = 0.0; share <= 1.0; share += 0.0625) {
+            const PlanePoint there = tip_at(chord, share);
+            EXPECT_NEAR(there.second_mm, 25.0 + there.first_mm / 6.0, kOwnToleranceMm / 3.0);
+        }
+    // Behind it X counts as ever.
+    EXPECT_EQ(read->records[read->records.size() - 2].end[0], 24.0);
+    // The core is the tip's; there X counts -1.
+    profile.r1.travel_mm = {-10.0, 60.0};
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X20 C5\nX-20\nM2\n", profile), Faults{});
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X20 C4.9\nX-20\nM2\n", profile),
+              Faults{"5:1 core_radius"});
+}
+
+TEST(Polar, FindsTheTipAgainBehindAWrongBlock) {
+    Profile profile;
+    profile.r1.tip_offset_mm = 6.0;
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X&\nG1 F300 X20 C0\nX66\nX66.1\nG13.1\nM2\n", profile),
+              (Faults{"4:4 number_missing", "7:1 outside_travel"}));
+}
+
+TEST(Polar, IsRefusedWhereTheHeadThatFollowsHasItsTipElsewhere) {
+    Profile profile;
+    profile.gcode.second_head = SecondHead::follow;
+    profile.r1.tip_offset_mm = profile.r2.tip_offset_mm = 3.0;
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X30\nM2\n", profile), Faults{});
+    profile.r2.tool_wear_mm = 0.2;
+    const auto read = drawn(kPolar + "G1 X30\nM2\n", profile);
+    ASSERT_EQ(read->faults(), Faults{"3:1 drawing_begin"});
+    EXPECT_EQ(read->problems.errors().front().what,
+              "G12.1, and the tip of r2, which follows, stands 0.2000 mm further out");
+    profile.gcode.second_head = SecondHead::own;
+    EXPECT_EQ(drawn_faults(kPolar + "G1 X30\nM2\n", profile), Faults{});
+}
+
 TEST(Polar, KeepsBothHeadsOutOfTheirCoresWhereTheSecondFollows) {
     Profile profile;
     profile.gcode.second_head = SecondHead::follow;
     profile.core_radius_mm = 5.0;
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C4\nX-20\nM2\n", profile), Faults{"5:1 core_radius"});
-    EXPECT_EQ(drawn_faults(kPolar + "G1 X20 C6\nX-20\nM2\n", profile), Faults{});
+    profile.r1.pulses_per_mm = 100.0;
+    profile.r2.pulses_per_mm = 800.0;
+    const auto what = [&](const std::string& out) {
+        const auto read = drawn(kPolar + "G1 X20 C" + out + "\nX-20\nM2\n", profile);
+        EXPECT_LE(read->problems.errors().size(), 1U) << out;
+        return read->problems.errors().empty() ? "" : read->problems.errors().front().what;
+    };
+    EXPECT_EQ(what("5"), "");
+    // To the pulse of each: that is still r1's last one, and three of r2's too far in.
+    EXPECT_EQ(what("4.996"),
+              "at X 0.0000 C 4.9960 mm the tip of r2 comes to 4.9960 mm, and the core that it must not reach "
+              "ends at 5.0000 mm");
+    EXPECT_NE(what("4.98").find("the tip of r1 comes to 4.9800 mm"), std::string::npos);
+    profile.gcode.second_head = SecondHead::own;
+    EXPECT_EQ(what("4.996"), "");
 }
 
 TEST(Polar, TellsOnceThatAWayLeavesTheTravel) {
     EXPECT_EQ(drawn_faults(kPolar + "G1 X45 C50\nX44 C0\nM2\n"),
               (Faults{"4:4 outside_travel", "5:1 outside_travel"}));
+}
+
+TEST(Polar, JudgesAnAxisThatGetsItsFirstPlaceThereByItsEnd) {
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nG13.1\nM2\n"), Faults{});
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z65\nG13.1\nM2\n"),
+              Faults{"4:4 outside_travel"});
+    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X25 C30 Z55\nX20 Z.5\nG13.1\nM2\n"),
+              Faults{"5:1 core_radius"});
 }
 
 TEST(Polar, IsJudgedAgainBehindAWrongBlockOnceItsPlaceIsSaid) {
@@ -225,74 +292,6 @@ TEST(Polar, GoesOnFromALineWithinIt) {
     ASSERT_GT(ends_of(whole).size(), 8U);
     EXPECT_EQ(ends_of(part), ends_of(whole));
     EXPECT_LT(part.ways().size(), whole.ways().size());
-}
-
-TEST(Cylinder, DrawsLinesStraightWithTheFeedOfTheUnrolledSurface) {
-    const auto read = drawn(kCylinder + "G1 X45 Y60 C90\nG7.1 C0\nG1 C0\nM2\n");
-    ASSERT_EQ(read->faults(), Faults{});
-    const auto ways = of_line(*read, 4);
-    ASSERT_EQ(ways.size(), 1U);
-    const double turned_mm = 45.0 * kPi / 2.0;
-    EXPECT_NEAR(ways[0].length, std::sqrt(25.0 + 100.0 + turned_mm * turned_mm), 1e-9);
-    EXPECT_DOUBLE_EQ(ways[0].feed_per_min, 300.0);
-    // Behind it C alone turns by degrees a minute.
-    EXPECT_DOUBLE_EQ(of_line(*read, 6).back().length, 90.0);
-}
-
-TEST(Cylinder, DrawsCirclesWithinTheirShareOfTheTolerance) {
-    const auto read = drawn(kCylinder + "G2 I10 J4 X45\nG7.1 C0\nM2\n");
-    ASSERT_EQ(read->faults(), Faults{});
-    const auto chords = of_line(*read, 4);
-    ASSERT_GT(chords.size(), 16U);
-    double along_mm = 0.0;
-    for (const CanonRecord& chord : chords) {
-        along_mm += chord.length;
-        for (double share = 0.0; share <= 1.0; share += 0.125) {
-            const PlanePoint there = surface_at(chord, share, 45.0);
-            EXPECT_NEAR(std::hypot(there.first_mm - 10.0, there.second_mm - 54.0), std::hypot(10.0, 4.0),
-                        kOwnToleranceMm / 4.0 + 1e-9);
-        }
-    }
-    EXPECT_NEAR(along_mm, std::hypot(2.0 * kPi * std::hypot(10.0, 4.0), 5.0), 1e-9);
-    EXPECT_EQ(chords.back().end, (Position{45.0, 50.0}));
-    // Clockwise with C to the right and Y up: from the left over the top.
-    EXPECT_GT(chords[4].end[1], 50.0);
-}
-
-TEST(Cylinder, DrawsWithZToTheRightAsLathesDo) {
-    Profile profile;
-    profile.gcode.letters = AxisNames::turning;
-    const auto read =
-        drawn("G21 G90 F300\nG0 X50 Z50 C0\nG7.1 C45\nG2 K10\nG2 C20 Z60 R40\nG7.1 C0\nM2\n", profile);
-    ASSERT_EQ(read->faults(), Faults{});
-    const auto chords = of_line(*read, 4);
-    for (const CanonRecord& chord : chords)
-        EXPECT_NEAR(std::hypot(rad_from_deg(chord.end[5]) * 45.0, chord.end[2] - 60.0), 10.0, 1e-9);
-    EXPECT_GT(chords[4].end[5], 0.0);
-    EXPECT_EQ(of_line(*read, 5).back().end[5], 20.0);
-}
-
-TEST(Cylinder, TakesItsRadiusInTheProgramsUnits) {
-    const auto read = drawn("G20 G90 F10\nG0 X2 Y2 C0\nG7.1 C1\nG1 C180\nG7.1 C0\nM2\n");
-    EXPECT_NEAR(of_line(*read, 4).back().length, 25.4 * kPi, 1e-9);
-}
-
-TEST(Cylinder, TurnsInTheAirAsItIsDrawn) {
-    Profile profile;
-    profile.gcode.turns_shortest = true;
-    const auto last_turn = [&](const std::string& more) {
-        const auto made = made_records("G21 G90\nG0 X50 Y50 C0\n" + more + "M2\n", {}, profile);
-        EXPECT_EQ(made.failure, "");
-        return made.ways().back().target[index_of(Axis::psi)];
-    };
-    EXPECT_DOUBLE_EQ(last_turn("G7.1 C45\nG0 C350\nG7.1 C0\n"), 350.0);
-    EXPECT_DOUBLE_EQ(last_turn("G0 C350\n"), -10.0);
-}
-
-TEST(Cylinder, OfAnArcFromAnywhereJudgesTheEnd) {
-    EXPECT_EQ(drawn_faults("G21 G90 F300\nG0 X50\nG7.1 C45\nG2 C20 Y160 R500\nG7.1 C0\nM2\n"),
-              Faults{"4:4 outside_travel"});
-    EXPECT_EQ(drawn_faults(kCylinder + "G2 C0 Y149 R-55\nG7.1 C0\nM2\n"), Faults{"4:4 outside_travel"});
 }
 
 }  // namespace

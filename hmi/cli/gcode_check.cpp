@@ -58,6 +58,7 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
     gcode::InterpreterOptions how;
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
+    how.ends_with_input = is_standard_input(options.path);
     gcode::ProblemList problems;
     std::unique_ptr<gcode::MachineCheck> machine;
     if (!options.leaves_out_machine) {

@@ -85,6 +85,7 @@ gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Prof
     gcode::InterpreterOptions how;
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
+    how.ends_with_input = options.is_stream();
     how.reference = gcode::MachineCheck::reference_of(profile);
     how.start = place_of(profile, status);
     return how;

@@ -93,7 +93,7 @@ void Interpreter::pass_wrong() noexcept {
     is_motion_doubtful_ = true;
 }
 
-void Interpreter::end_by_percent(std::uint64_t line) {
+void Interpreter::end_without_block(std::uint64_t line) {
     CanonRecord ended;
     ended.line = line;
     ended.column = 1;

@@ -47,7 +47,7 @@ bool ProgramReader::is_frame(std::string_view line) {
         is_given_up_ = true;
         problems_.add(std::move(*unclosed));
     } else if (is_framed_) {
-        interpreter_->end_by_percent(lines_.number());
+        interpreter_->end_without_block(lines_.number());
     }
     is_framed_ = true;
     return true;
@@ -203,6 +203,10 @@ void ProgramReader::tell_end() {
         return;
     }
     if (interpreter_->is_end_doubtful()) return;
+    if (options_.ends_with_input && line_count_ > 0 && !is_framed_) {
+        if (!is_wrong) interpreter_->end_without_block(line_count_);
+        return;
+    }
     problems_.add({std::max<std::uint64_t>(line_count_, 1), 1, ProblemCode::no_end,
                    line_count_ == 0 ? "the program is empty" : "the program has no end"});
 }

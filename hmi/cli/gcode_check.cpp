@@ -72,6 +72,7 @@ Result<int> check(const CommonOptions& common, const GcodeCheckOptions& options)
     }
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
+    how.ends_with_input = is_standard_input(options.path);
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();
     gcode::LineSource lines{std::move(bytes).value()};

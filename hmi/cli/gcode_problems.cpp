@@ -26,9 +26,12 @@ Json problems_json(const std::vector<gcode::Problem>& problems) {
 
 }  // namespace
 
+bool is_standard_input(const std::string& path) {
+    return path == "-" || path.starts_with(model::kDescriptorFolder);
+}
+
 std::string program_name(const std::string& path) {
-    if (path == "-") return "standard input";
-    return path.starts_with(model::kDescriptorFolder) ? model::source_name_of(path) : path;
+    return is_standard_input(path) ? "standard input" : path;
 }
 
 std::string count_text(std::uint64_t count, const char* one) {

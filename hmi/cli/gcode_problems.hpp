@@ -10,6 +10,9 @@
 
 namespace psicarve::cli {
 
+/// As it comes, or as it is kept where it is read whole first.
+bool is_standard_input(const std::string& path);
+
 /// A program's name as its user knows it.
 std::string program_name(const std::string& path);
 

@@ -31,6 +31,7 @@ gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Prof
     gcode::InterpreterOptions how = gcode::machine_options(profile);
     how.dialect = options.dialect == "iso" ? gcode::Dialect::iso : gcode::Dialect::ngc;
     how.skips_deleted = options.skips_deleted;
+    how.ends_with_input = options.is_stream();
     how.offsets = offsets;
     how.start = place_of(profile, status);
     return how;

@@ -6,26 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "hmi/gcode/end_words.hpp"
+
 namespace psicarve::gcode {
 namespace {
-
-/// Whether M2 or M30 stands in the text, however it is written.
-bool names_end(std::string_view line) noexcept {
-    bool is_code = false;
-    int number = 0;
-    for (std::size_t i = 0; i <= line.size(); ++i) {
-        const char byte = i < line.size() ? line[i] : '\n';
-        if (byte == ' ' || byte == '\t') continue;
-        if (is_code && byte >= '0' && byte <= '9') {
-            number = std::min(number * 10 + (byte - '0'), 1000);
-            continue;
-        }
-        if (is_code && (number == 2 || number == 30)) return true;
-        is_code = byte == 'M' || byte == 'm';
-        number = 0;
-    }
-    return false;
-}
 
 bool is_drawing_code(double value) noexcept {
     return std::abs(value - 7.1) < 1e-6 || std::abs(value - 12.1) < 1e-6 || std::abs(value - 13.1) < 1e-6;
@@ -129,7 +113,7 @@ void Interpreter::doubt_drawing() noexcept {
     drawing_.is_mode_doubtful = true;
 }
 
-void Interpreter::end_by_percent(std::uint64_t line) {
+void Interpreter::end_without_block(std::uint64_t line) {
     CanonRecord ended;
     ended.line = line;
     ended.column = 1;

@@ -22,11 +22,12 @@ namespace psicarve::gcode {
 
 struct InterpreterOptions {
     Dialect dialect = Dialect::ngc;
-    bool skips_deleted = false;  ///< blocks that begin with / are left out
-    Position reference{};        ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
-    KeptOffsets offsets{};       ///< that it begins with
-    Position start{};            ///< where the machine stands, machine coordinates
-    bool is_start_known = true;  ///< it stands there; false: anywhere
+    bool skips_deleted = false;    ///< blocks that begin with / are left out
+    bool ends_with_input = false;  ///< of a stream: its end is the program's, too, unless a % began it
+    Position reference{};          ///< where G28 and G30 go until G28.1 or G30.1 sets it, machine coordinates
+    KeptOffsets offsets{};         ///< that it begins with
+    Position start{};              ///< where the machine stands, machine coordinates
+    bool is_start_known = true;    ///< it stands there; false: anywhere
     DrawingMachine drawing{};
     /// Loops and calls may have so many blocks executed in all, each piece of a drawn way being one, and so
     /// many in a row that make neither a move, a dwell nor a stop.
@@ -55,8 +56,8 @@ public:
     void begin_line(std::uint64_t line) noexcept { line_ = line; }
     /// In place of run() for a block that could not be read.
     void pass_unreadable(std::string_view line) noexcept;
-    /// The second % of a program ends it.
-    void end_by_percent(std::uint64_t line);
+    /// What ends a program and is no block: its second %, or a stream's end.
+    void end_without_block(std::uint64_t line);
     /// The lines that follow are not part of the program.
     bool has_ended() const noexcept { return has_ended_; }
     /// A line that could not be read may have been the end.

@@ -112,6 +112,7 @@ Result<bool> LineSource::next(std::string_view& line) {
     if (bytes_.seek == nullptr && offset_ != read_to_) {
         if (!kept_.holds(offset_)) return false;
         line = kept_.line_at(offset_);
+        has_line_feed_ = true;
         offset_ += line.size() + 1;
         ++number_;
         return true;
@@ -127,6 +128,7 @@ Result<bool> LineSource::next(std::string_view& line) {
 
 Result<bool> LineSource::next_of_bytes(std::string_view& line) {
     joined_.clear();
+    has_line_feed_ = true;
     bool has_some = false;
     std::size_t line_bytes = 0;
     for (;;) {
@@ -135,6 +137,7 @@ Result<bool> LineSource::next_of_bytes(std::string_view& line) {
             if (!filled) return filled.error();
             if (!*filled) {
                 if (!has_some) return false;
+                has_line_feed_ = false;
                 break;
             }
         }

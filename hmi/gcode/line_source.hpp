@@ -37,6 +37,8 @@ public:
     Result<bool> next(std::string_view& line);
     /// Number of the line that next() gave, from 1.
     std::uint64_t number() const noexcept { return number_; }
+    /// Whether that line had its line feed: the last one may have been torn off.
+    bool has_line_feed() const noexcept { return has_line_feed_; }
 
     /// Of the line that next() gives next.
     LinePlace place() const noexcept { return {offset_, number_}; }
@@ -59,6 +61,7 @@ private:
     ProgramBytes bytes_;
     std::string buffer_;
     std::string joined_;  ///< a line that lies in two fills
+    bool has_line_feed_ = true;
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
     std::uint64_t number_ = 0;

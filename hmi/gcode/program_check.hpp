@@ -16,8 +16,8 @@ struct ProgramFacts {
 };
 
 /// Reads a program to its end and gives its meaning to `sink`. All faults go to `problems`; a missing end is
-/// one. Memory does not grow with the program. Ends early where the sink wants no more. An error means that
-/// the bytes could not be read.
+/// one, except where a stream may end without. Memory does not grow with the program. Ends early where the
+/// sink wants no more. An error means that the bytes could not be read.
 Result<ProgramFacts> interpret_program(LineSource& lines, const InterpreterOptions& options, CanonSink& sink,
                                        ProblemList& problems);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hmi/gcode/block_reader.hpp"
+#include "hmi/gcode/end_words.hpp"
 
 namespace psicarve::gcode {
 namespace {
@@ -47,9 +48,19 @@ bool ProgramReader::is_frame(std::string_view line) {
         is_given_up_ = true;
         problems_.add(std::move(*unclosed));
     } else if (is_framed_) {
-        interpreter_->end_by_percent(lines_.number());
+        interpreter_->end_without_block(lines_.number());
     }
     is_framed_ = true;
+    return true;
+}
+
+/// A stream that breaks off may break off within a number.
+bool ProgramReader::is_torn(std::string_view line) {
+    if (!options_.ends_with_input || lines_.has_line_feed() || is_blank_line(line) || names_end(line))
+        return false;
+    problems_.add({lines_.number(), 1, ProblemCode::no_end,
+                   "the stream ends within a line: it may have been torn off, and is not run"});
+    is_given_up_ = true;
     return true;
 }
 
@@ -68,6 +79,7 @@ Result<ProgramFacts> ProgramReader::read() {
             furthest_ = lines_.place();
         }
         if (is_frame(line)) continue;
+        if (is_torn(line)) break;
         if (has_read_plain(line)) continue;
         const auto gone = block_->o_word() ? read_o_word(line) : jump();
         if (!gone) return gone.error();
@@ -205,6 +217,10 @@ void ProgramReader::tell_end() {
         return;
     }
     if (interpreter_->is_end_doubtful()) return;
+    if (options_.ends_with_input && line_count_ > 0 && !is_framed_) {
+        if (!is_wrong) interpreter_->end_without_block(line_count_);
+        return;
+    }
     problems_.add({std::max<std::uint64_t>(line_count_, 1), 1, ProblemCode::no_end,
                    line_count_ == 0 ? "the program is empty" : "the program has no end"});
 }

@@ -28,6 +28,7 @@ public:
 private:
     bool wants_more() const noexcept;
     bool is_frame(std::string_view line);
+    bool is_torn(std::string_view line);
     bool is_judging() const noexcept;
     Result<void> leave_flow();
     Result<void> pass_to_block_end();

@@ -57,15 +57,16 @@ void RecordProgram::close_run(std::size_t point) {
 // the polyline, for a curve might go as far again.
 void RecordProgram::rest_where_decided() {
     end_run();
-    const std::size_t next = begin_ + 1;
     const bool is_off = points_[begin_].pulses != speeds_.end_pulses();
     points_[begin_].pulses = speeds_.end_pulses();
-    if (!is_off || next == points_.size()) return rest_at(begin_);
-    if (points_[next].pulses != points_[begin_].pulses) {
+    // It may stand in the point before now, and between them is no way to look at.
+    rest_at(begin_);
+    if (!is_off || points_.size() == 1) return;
+    if (points_[1].pulses != points_[0].pulses) {
         look_at_spans();
-        plan_stretch(begin_, next);
+        plan_stretch(0, 1);
     }
-    rest_at(next);
+    rest_at(1);
 }
 
 // The curve as far as this point; the part before it is settled. False: there is none.

@@ -75,16 +75,19 @@ std::vector<std::uint32_t> behind_line(const std::vector<LinedStep>& all, std::u
 void expect_tails(const std::string& text, const std::vector<std::uint64_t>& rests) {
     const std::vector<LinedStep> whole = run_from_line(text, 0);
     const auto lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n'));
+    std::vector<std::uint64_t> lines_without_tail;
     for (std::uint64_t line = 1; line < lines; ++line) {
         const auto rest = std::ranges::lower_bound(rests, line);
         const std::uint64_t from = rest == rests.end() ? line : *rest;
         const auto wanted = behind_line(whole, from);
+        if (wanted.empty()) lines_without_tail.push_back(line);
         const auto made = behind_line(run_from_line(text, line), from);
         const auto [left, made_left] = std::ranges::mismatch(wanted, made);
         EXPECT_TRUE(left == wanted.end() && made_left == made.end())
             << "from line " << line << ": " << made.size() << " instead of " << wanted.size()
             << " steps, other ones from the one with number " << left - wanted.begin() << " on";
     }
+    EXPECT_EQ(lines_without_tail, std::vector<std::uint64_t>{lines - 1}) << "behind the last move is none";
 }
 
 TEST(ProgramFromLine, HasTheSamePulsesFromThatLinesEndOnUnderG61) {

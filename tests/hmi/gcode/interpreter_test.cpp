@@ -55,6 +55,38 @@ TEST(Interpreter, ReadsNothingBehindTheEnd) {
     }
 }
 
+TEST(Interpreter, EndsWhereAStreamEndsUnlessThatIsFramedOrEmptyOrWithinABlock) {
+    InterpreterOptions options;
+    options.ends_with_input = true;
+    for (const char* text :
+         {"G0 X1\n", "(a comment)\n", "o1 if [1]\nG0 X1\no1 endif\n", "M2\n", "M2", "G0 X1\n "}) {
+        const auto read = read_program(text, options);
+        EXPECT_EQ(read->faults(), Faults{}) << text;
+        EXPECT_TRUE(read->facts.has_end) << text;
+        ASSERT_FALSE(read->records.empty()) << text;
+        EXPECT_EQ(read->records.back().kind, CanonKind::end) << text;
+    }
+    EXPECT_EQ(read_program("", options)->faults(), Faults{"1:1 no_end"});
+    EXPECT_EQ(read_program("%\nG0 X1\n", options)->faults(), Faults{"2:1 no_end"});
+    EXPECT_EQ(read_program("o1 if [1]\nG0 X1\n", options)->faults(), Faults{"1:1 o_word_open"});
+    const auto wrong = read_program("G0 X1\nG1 X2\n", options);
+    EXPECT_EQ(wrong->faults(), Faults{"2:4 feed_missing"});
+    EXPECT_FALSE(wrong->facts.has_end);
+}
+
+// Torn off, G1 X40 may be the half of G1 X400.
+TEST(Interpreter, RunsNoLineThatAStreamEndsWithin) {
+    InterpreterOptions options;
+    options.ends_with_input = true;
+    for (const char* text : {"G0 X1\nG0 X40", "%\nG0 X40", "G0 X1\nM3"}) {
+        const auto read = read_program(text, options);
+        EXPECT_EQ(read->faults(), Faults{"2:1 no_end"}) << text;
+        EXPECT_FALSE(read->facts.has_end) << text;
+        for (const CanonRecord& record : read->records) EXPECT_EQ(record.line, 1U) << text;
+    }
+    EXPECT_EQ(read_program("G0 X1\nG0 X40\nM2")->faults(), Faults{}) << "of a file";
+}
+
 TEST(Interpreter, MovesSecondaryAxesAndTellsThemApart) {
     const auto read = read_program("G0 U1 V2 W3\nM2\n");
     std::string text;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "rtcore/cycle/dual_head_dda.hpp"
 #include "rtcore/plan/path_stretch.hpp"
 #include "tests/rtcore/plan/corner_rig.hpp"
+#include "tests/rtcore/plan/hard_paths.hpp"
 #include "tests/rtcore/plan/table_blocks.hpp"
 #include "tests/thoroughness.hpp"
 
@@ -22,78 +24,11 @@ namespace {
 
 using test::carved;
 using test::CarvedProgram;
+using test::hard_points;
+using test::hard_profile;
+using test::hard_ways;
+using test::HardMachine;
 using test::WayScript;
-
-struct HardMachine {
-    const char* name;
-    double pulses_per_mm;
-    std::int64_t pulses_per_rev;
-    double backlash_mm;
-    double backlash_deg;
-    double accel_share;
-};
-
-constexpr HardMachine kHardMachines[] = {
-    {"built_in", 400, 6400, 0.0, 0.0, 1.0},     {"fine", 2000, 128'000, 0.0, 0.0, 1.0},
-    {"coarse_table", 2000, 800, 0.0, 0.0, 1.0}, {"backlash", 2000, 128'000, 0.02, 0.1, 1.0},
-    {"slow", 1000, 32'000, 0.0, 0.0, 0.02},     {"table_backlash", 400, 6400, 0.0, 0.1, 1.0},
-};
-
-Profile profile_of(const HardMachine& machine) {
-    Profile profile;
-    profile.tick.period_us = 10;
-    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
-        axis->pulses_per_mm = machine.pulses_per_mm;
-        axis->accel_mm_s2 *= machine.accel_share;
-    }
-    profile.psi.accel_deg_s2 *= machine.accel_share;
-    profile.r1.backlash_mm = machine.backlash_mm;
-    profile.psi.backlash_deg = machine.backlash_deg;
-    profile.psi.pulses_per_rev = machine.pulses_per_rev;
-    return profile;
-}
-
-std::int64_t up_to(std::mt19937_64& random, std::int64_t most) {
-    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * most + 1)) - most;
-}
-
-/// Ways whose lengths differ a thousandfold, some of a pulse, some back where they came from.
-WayScript hard_ways(const MachineLimits& limits, std::uint64_t seed, int count, double tolerance_mm) {
-    std::mt19937_64 random{seed};
-    Pulses4 start{};
-    start[kPsi] = 100;
-    const double radius_mm = seed % 3 == 0 ? 0.3 : 15.0;
-    for (const std::size_t k : {std::size_t{0}, std::size_t{1}, kY})
-        start[k] = round_to_pulse(15.0 * limits.axes[k].pulses_per_unit);
-    WayScript program{start};
-    const auto axes = static_cast<unsigned>(1 + random() % 15);
-    std::int64_t most = 1;
-    Pulses4 way{};
-    for (int i = 0; i < count; ++i) {
-        if (random() % 6 == 0) {
-            constexpr std::array<std::int64_t, 6> kMost{1, 2, 5, 30, 300, 2000};
-            most = kMost[random() % kMost.size()];
-        }
-        const std::size_t alone = random() % 5;
-        const Pulses4 before = way;
-        for (std::size_t k = 0; k < kAxisCount; ++k) {
-            way[k] = 0;
-            if ((axes >> k & 1U) == 0 || (alone < kAxisCount && alone != k)) continue;
-            const double scale = k == kPsi ? 1.0 / (radius_mm * rad_from_pulses(1, limits.pulses_per_rev)) /
-                                                 limits.axes[0].pulses_per_unit
-                                           : 1.0;
-            way[k] = round_to_pulse(static_cast<double>(up_to(random, most)) * std::max(scale, 0.2));
-            const double off_mm = static_cast<double>(program.script.at()[k] + way[k] - start[k]) /
-                                  limits.axes[k].pulses_per_unit;
-            if (k != kPsi && std::abs(off_mm) > 4.0) way[k] = -way[k];
-        }
-        if (random() % 12 == 0)
-            for (std::size_t k = 0; k < kAxisCount; ++k) way[k] = -before[k];
-        if (way != Pulses4{}) program.way(way, tolerance_mm);
-    }
-    program.script.end();
-    return program;
-}
 
 double pulse_mm_at(const MachineLimits& limits, const Pulses4& at) {
     double pulse_mm = 0.0;
@@ -105,6 +40,16 @@ double pulse_mm_at(const MachineLimits& limits, const Pulses4& at) {
         pulse_mm = std::max(pulse_mm, radius_mm * rad_from_pulses(1, limits.pulses_per_rev));
     }
     return pulse_mm;
+}
+
+constexpr double kNoSpeed2 = 1e-15;
+
+/// Of many seeds, all in a long run, those that every run takes.
+std::vector<std::uint64_t> seeds_of(std::uint64_t count, std::vector<std::uint64_t> always) {
+    if (!psicarve::test::is_long_run()) return always;
+    std::vector<std::uint64_t> all(count);
+    std::iota(all.begin(), all.end(), std::uint64_t{1});
+    return all;
 }
 
 class HardPaths : public ::testing::TestWithParam<HardMachine> {};
@@ -127,13 +72,13 @@ double share_off(const MachineLimits& limits, const WayScript& program, const Ca
 }
 
 TEST_P(HardPaths, OfProgramsKeepTheToleranceAtEveryIteration) {
-    const MachineLimits limits = machine_limits(profile_of(GetParam()));
+    const MachineLimits limits = machine_limits(hard_profile(GetParam()));
     constexpr std::array kTolerancePulses{1.01, 1.3, 2.0, 5.0, 20.0};
-    const std::uint64_t seeds = psicarve::test::is_thorough() ? 32 : 4;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const int long_ways = psicarve::test::is_long_run() ? 1300 : 400;
+    for (const std::uint64_t seed : seeds_of(32, {12, 17})) {
         const double tolerance_mm =
             kTolerancePulses[seed % kTolerancePulses.size()] / limits.axes[0].pulses_per_unit;
-        const WayScript program = hard_ways(limits, seed, seed % 4 == 0 ? 1300 : 150, tolerance_mm);
+        const WayScript program = hard_ways(limits, seed, seed % 4 == 0 ? long_ways : 150, tolerance_mm);
         const CarvedProgram done = carved(limits, program.script, program.points.front());
         for (const CarvedProgram::Place& place : done.places)
             ASSERT_LE(share_off(limits, program, place, tolerance_mm), 1.0)
@@ -141,32 +86,6 @@ TEST_P(HardPaths, OfProgramsKeepTheToleranceAtEveryIteration) {
         ASSERT_FALSE(done.rests.empty());
         EXPECT_EQ(done.rests.back(), program.script.at()) << "seed " << seed;
     }
-}
-
-std::vector<PathPoint> hard_points(const MachineLimits& limits, std::uint64_t seed, int count) {
-    std::mt19937_64 random{seed};
-    std::vector<PathPoint> points;
-    const auto mm = [&](double at) { return round_to_pulse(at * limits.axes[0].pulses_per_unit); };
-    Pulses4 at{mm(15.0), mm(15.0), 0, mm(10.0)};
-    if (seed % 3 == 0) at[0] = at[1] = mm(1.0);
-    std::int64_t most = 1;
-    std::int64_t turn = 1;
-    for (int i = 0; i < count; ++i) {
-        points.push_back({at, 0, static_cast<std::uint32_t>(i), false});
-        if (random() % 8 == 0) {
-            constexpr std::array<std::int64_t, 7> kMost{0, 1, 3, 10, 100, 1000, 6000};
-            most = kMost[random() % kMost.size()];
-            constexpr std::array<std::int64_t, 5> kTurn{1, 2, 7, 40, 300};
-            turn = kTurn[random() % kTurn.size()];
-        }
-        at[kPsi] += turn;
-        for (std::size_t k = 0; k < kHeads; ++k) {
-            std::int64_t way = random() % 3 == 0 ? 0 : up_to(random, most);
-            if (at[k] + way < mm(0.6) || at[k] + way > mm(25.0)) way = -way;
-            at[k] += way;
-        }
-    }
-    return points;
 }
 
 /// A stretch after the other as the planner makes it of a table's points.
@@ -228,10 +147,9 @@ double worst_share(const MachineLimits& limits, const PathPiece& piece, const Pu
 }
 
 TEST_P(HardPaths, OfTablesKeepTheToleranceAtEveryIteration) {
-    Profile profile = profile_of(GetParam());
+    Profile profile = hard_profile(GetParam());
     constexpr std::array kTolerancePulses{0.3, 1.01, 2.0, 5.0, 20.0};
-    const std::uint64_t seeds = psicarve::test::is_thorough() ? 40 : 8;
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (const std::uint64_t seed : seeds_of(40, {1, 5})) {
         profile.job.path_tolerance_mm =
             kTolerancePulses[seed % kTolerancePulses.size()] / profile.r1.pulses_per_mm;
         const MachineLimits limits = machine_limits(profile);
@@ -252,47 +170,42 @@ TEST_P(HardPaths, OfTablesKeepTheToleranceAtEveryIteration) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, HardPaths, ::testing::ValuesIn(kHardMachines),
+INSTANTIATE_TEST_SUITE_P(On, HardPaths, ::testing::ValuesIn(test::kHardMachines),
                          [](const auto& one) { return std::string{one.param.name}; });
 
 // A job's blocks know of the rests: each group ends in a point of the table, slow enough to rest there.
 TEST(HardTable, RestWithinAStretchWhereNoCurveKeepsTheTolerance) {
-    Profile profile = profile_of(kHardMachines[1]);
+    Profile profile = hard_profile(test::kHardMachines[1]);
     profile.job.path_tolerance_mm = 0.001;
     const MachineLimits limits = machine_limits(profile);
     std::size_t rests = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        std::mt19937_64 random{seed};
-        JobTable table = test::random_table(random, Joining::continuous, 1, 1);
-        table.point_count = 300;
-        table.psi_sweep_pulses = static_cast<std::int32_t>(299 * (seed % 4 + 1));
-        for (auto* radii : {&table.r_left_pulses, &table.r_right_pulses}) radii->clear();
-        for (const PathPoint& point : hard_points(limits, seed, 300)) {
-            table.r_left_pulses.push_back(static_cast<std::int32_t>(point.pulses[0]));
-            table.r_right_pulses.push_back(static_cast<std::int32_t>(point.pulses[1]));
-        }
-        const auto job = test::job_of(table);
+        const auto job = test::job_of(test::hard_table(limits, seed));
         LookaheadProgram program(limits, job, {});
-        std::vector<PathPoint> points;
-        for (std::uint32_t i = 0; i < table.point_count; ++i)
-            points.push_back({test::point_of(*job, 0, i), 0, i, false});
-        const auto corners = path_corners(limits, path_spans(limits, points));
-        const auto is_stop = [](const PathCorner& corner) { return corner.is_stop; };
-        const auto stops = std::count_if(corners.begin(), corners.end(), is_stop);
         std::size_t groups = 0;
         std::uint32_t left = 0;
+        Timings before{};
         cycle::MotionBlock block;
         while (program.next(block)) {
             if (block.kind != cycle::BlockKind::path) continue;
             ASSERT_EQ(block.group_blocks > 0, left == 0);
+            const double stop_speed = block.path.start_stop_speed;
+            const double most_stop2 = 1.1 * stop_speed * stop_speed;
+            for (std::size_t t = 0; t < kTimingCount; ++t) {
+                if (left > 0) {
+                    EXPECT_NEAR(block.path.start_speed2[t], before[t], 1e-9 * before[t] + kNoSpeed2);
+                } else {
+                    EXPECT_LE(block.path.start_speed2[t], most_stop2);
+                }
+                before[t] = block.path.end_speed2[t];
+            }
             if (left == 0) left = block.group_blocks;
             if (--left > 0) continue;
             ++groups;
             EXPECT_GT(block.reaches_points, 0);
-            const double stop_speed = block.path.start_stop_speed;
-            EXPECT_LE(block.path.end_speed2[0], 1.1 * stop_speed * stop_speed);
+            for (const double end2 : block.path.end_speed2) EXPECT_LE(end2, most_stop2);
         }
-        rests += groups - static_cast<std::size_t>(stops) - 1;
+        rests += groups - test::stops_of(limits, *job) - 1;
     }
     EXPECT_GT(rests, 0U);
 }

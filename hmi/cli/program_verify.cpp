@@ -9,8 +9,8 @@
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
-#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/cli/run_offsets.hpp"
+#include "hmi/gcode/drawing_machine.hpp"
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/verify/judged_trace.hpp"
 

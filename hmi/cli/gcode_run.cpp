@@ -276,6 +276,7 @@ Result<int> run_on_core(machine::MachineLink& link, const CommonOptions& common,
     const auto profile = profile_of_core(link, common);
     if (!profile) return profile.error();
     OperatorBreak operator_break;
+    operator_break.take_hang_up();
     if (options.is_stream()) {
         if (const auto begun = wait_for_input(link, operator_break); !begun) return begun.error();
     }

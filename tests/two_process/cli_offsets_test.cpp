@@ -112,6 +112,18 @@ TEST_F(KeptOffsetsOf, AProgramThatIsStoppedAreThoseThatItBeganWith) {
     EXPECT_TRUE(offsets["g92"]["in_force"]);
 }
 
+TEST_F(KeptOffsetsOf, AProgramWhoseTerminalEndsAreThoseThatItBeganWith) {
+    start_homed();
+    const auto running = begin({program(kStopped)});
+    ASSERT_TRUE(comes_to_line(6));
+    running->send(SIGHUP);
+    EXPECT_EQ(running->wait(), 4);
+    EXPECT_NE(running->error().find("not kept: it did not end"), std::string::npos) << running->error();
+    EXPECT_EQ(state(), MachineState::ready);
+    EXPECT_FALSE(is_pending());
+    EXPECT_EQ(run({"gcode", "offsets"}).error, "");
+}
+
 TEST_F(KeptOffsetsOf, AProgramWhoseReaderIsKilledAreKeptOnceTheCoreHasEndedIt) {
     start_homed();
     const auto running = begin({program(kStopped)});
@@ -187,7 +199,7 @@ TEST_F(KeptOffsetsOf, AProgramWhoseBlockIsRefusedAreNotKept) {
 
 TEST_F(KeptOffsetsOf, AStreamAreReadOnceItBegins) {
     start_homed();
-    write("p", "G0 X30\nG10 L2 P2 X8\n");
+    write("p", "G0 X30\nG10 L2 P2 X8\nM2\n");
     const std::string set = in_build("bin/psicarve") + " gcode offsets set G54 X=5 --segment " + segment_;
     ASSERT_EQ(streamed(set + " > /dev/null; cat " + file("p")), 0) << text_of(file("said"));
     EXPECT_EQ(r1_pulses(), 35 * 400);

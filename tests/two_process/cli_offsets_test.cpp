@@ -32,8 +32,8 @@ protected:
     }
     /// What these commands of a shell say is run as a program.
     int streamed(const std::string& commands) const {
-        const std::string run = in_build("bin/psicarve") + " gcode run - --segment " + segment_;
-        const std::string whole = "( " + commands + " ) | " + run + " > /dev/null 2> " + file("said");
+        const std::string reader = in_build("bin/psicarve") + " gcode run - --segment " + segment_;
+        const std::string whole = "( " + commands + " ) | " + reader + " > /dev/null 2> " + file("said");
         return WEXITSTATUS(std::system(whole.c_str()));
     }
     nlohmann::json shown() const {

@@ -175,13 +175,14 @@ TEST_F(KeptOffsetsOf, AProgramOfACoreThatDiedAreDropped) {
 
 TEST_F(KeptOffsetsOf, AProgramOfManyDwellsAreNotKeptWhereItIsStopped) {
     start_homed();
-    std::string text = "G21 G90\nG0 X40\nM0\n";
+    std::string text = "G21 G90\nG10 L2 P2 X3\nG0 X40\nM0\n";
     for (int n = 0; n < 20'000; ++n) text += "G4 P0.001\n";
     const auto running = begin({program(text + "G10 L2 P1 X5\nG0 X41\nM2\n")});
-    ASSERT_TRUE(comes_to_line(3));
+    ASSERT_TRUE(comes_to_line(4));
     ASSERT_EQ(run({"stop"}).exit_code, 0);
     EXPECT_EQ(running->wait(), 4) << running->error();
     EXPECT_EQ(shown()["systems"]["G54"]["X"], 0.0);
+    EXPECT_EQ(shown()["systems"]["G55"]["X"], 0.0);
     EXPECT_FALSE(is_pending());
     EXPECT_EQ(run({"gcode", "run", program(text.erase(text.find("M0"), 3) + "G10 L2 P1 X5\nM2\n")}).exit_code,
               0);

@@ -36,7 +36,7 @@ set(PSICARVE_ROOMS
     "hmi/verify/motor -> shared/base"
     "hmi/slice -> shared/base hmi/model"
     "hmi/gcode -> shared/base shared/machine shared/profile shared/program"
-    "hmi/offsets -> shared/base shared/file shared/profile hmi/gcode"
+    "hmi/offsets -> shared/base shared/computer shared/machine shared/file shared/profile shared/segment hmi/gcode"
     "hmi/manual -> shared/machine shared/profile"
     "hmi/profile -> shared/base shared/machine shared/file shared/profile hmi/phrase"
     "hmi/tool -> shared/base shared/profile hmi/model hmi/slice"

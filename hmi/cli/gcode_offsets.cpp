@@ -90,9 +90,6 @@ std::string text_of(const Shown& shown) {
     for (std::size_t which = 0; which < kept.references.size(); ++which)
         text += row(which == 0 ? "G28" : "G30",
                     kept.references[which] ? text_of(shown, *kept.references[which]) : "the home position");
-    if (shown.offsets.unfinished)
-        text += row("unfinished", shown.offsets.unfinished->program +
-                                      ": --from-line goes on with the offsets that it began with");
     return text;
 }
 
@@ -123,12 +120,15 @@ int show(const CommonOptions& common, const Shown& shown) {
                 {"simulator", shown.is_simulator},
                 {"active", gcode::kSystemNames[0]}};
     object.update(json_of(shown, shown.offsets.kept));
-    object["unfinished"] = nullptr;
-    if (const auto& unfinished = shown.offsets.unfinished)
-        object["unfinished"] =
-            Json{{"program", unfinished->program}, {"began_with", json_of(shown, unfinished->began_with)}};
     print_json_line(object);
     return kExitDone;
+}
+
+Error program_runs(std::uint64_t line) {
+    const std::string where = line > 0 ? ", in line " + std::to_string(line) : std::string{};
+    return Error{ErrorCode::machine_refused, "a program runs" + where +
+                                                 "; its offsets can be changed when it has ended: "
+                                                 "psicarve stop"};
 }
 
 /// A program whose reader was killed runs on without it, by what it was read with.
@@ -137,20 +137,17 @@ Result<void> require_no_program(const CommonOptions& common) {
     if (!link || !link->core_pid()) return {};
     const ProgramReport report = program_report(link->segment());
     if (report.status.is_running == 0) return {};
-    return Error{ErrorCode::machine_refused,
-                 "a program runs, in line " + std::to_string(report.status.line) +
-                     "; its offsets can be changed when it has ended: psicarve stop"};
+    return program_runs(report.status.line);
 }
 
 /// What cannot be read stays for whoever can mend it.
-Result<offsets::Offsets> before_clearing(const offsets::OffsetsPlace& place, const Profile& profile) {
-    auto read = offsets::read_offsets(place, profile.gcode);
-    if (read) return read;
+Result<void> put_broken_aside(const offsets::OffsetsPlace& place, const Profile& profile) {
+    if (offsets::read_offsets(place, profile.gcode)) return {};
     const std::string backup = place.path + ".bak";
     if (std::rename(place.path.c_str(), backup.c_str()) != 0)
         return bad_input(place.path + ": " + std::generic_category().message(errno));
     print_note("the old file is " + backup);
-    return offsets::Offsets{};
+    return {};
 }
 
 Result<int> change(const CommonOptions& common, const Profile& profile, Shown shown,
@@ -163,31 +160,30 @@ Result<int> change(const CommonOptions& common, const Profile& profile, Shown sh
     if (const auto free = require_no_program(common); !free) return free.error();
     const auto lock = offsets::OffsetsLock::take(shown.place, kOffsetsFreeLimit);
     if (!lock) return lock.error();
-    auto read = clears_all(words) ? before_clearing(shown.place, profile)
-                                  : offsets::read_offsets(shown.place, profile.gcode);
-    if (!read) return read.error();
-    const gcode::KeptOffsets before = read->kept;
-    if (const auto changed = change_offsets(words, shown.letters, read->kept); !changed)
-        return changed.error();
     if (clears_all(words)) {
-        read->unfinished.reset();
-    } else if (read->unfinished) {
-        offsets::carry_over(before, read->kept, read->unfinished->began_with);
+        if (const auto aside = put_broken_aside(shown.place, profile); !aside) return aside.error();
     }
-    if (const auto written = offsets::write_offsets(shown.place, *read, profile.gcode); !written)
+    auto settled = offsets::settle_offsets(shown.place, profile.gcode, offsets_owner(common), *lock);
+    if (!settled) return settled.error();
+    if (!settled->warning.empty()) print_warning(settled->warning);
+    if (settled->offsets.pending) return program_runs(0);
+    if (const auto changed = change_offsets(words, shown.letters, settled->offsets.kept); !changed)
+        return changed.error();
+    if (const auto written = offsets::write_offsets(shown.place, settled->offsets, profile.gcode); !written)
         return written.error();
-    shown.offsets = *read;
+    shown.offsets = settled->offsets;
     return show(common, shown);
 }
 
 Result<int> run(const CommonOptions& common, const OffsetsOptions& options) {
     const auto profile = chosen_profile(common);
     if (!profile) return profile.error();
-    const offsets::OffsetsPlace place = offsets_place(common);
+    const auto place = offsets_place(common);
+    if (!place) return place.error();
     const offsets::OffsetsPlace of_machine = offsets::OffsetsPlace::of(common.segment, false);
-    Shown shown{place, place.path != of_machine.path, gcode::AxisLetters{profile->gcode}, {}};
+    Shown shown{*place, place->path != of_machine.path, gcode::AxisLetters{profile->gcode}, {}};
     if (!options.words.empty()) return change(common, *profile, std::move(shown), options.words);
-    auto read = offsets::read_offsets(place, profile->gcode);
+    auto read = kept_offsets(common, *profile);
     if (!read) return read.error();
     shown.offsets = std::move(*read);
     return show(common, shown);

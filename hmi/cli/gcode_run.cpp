@@ -120,6 +120,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
         bytes = gcode::open_unchanged_program(options.path, *options.state);
     }
     if (!bytes) return bytes.error();
+    offsets.tell_begin();
     if (work.begin) {
         if (const auto begun = work.begin(); !begun) return begun.error();
     }
@@ -132,23 +133,40 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     steps.stops_at_optional = options.stops_at_optional;
     steps.is_dry = options.is_dry;
     const int awaited_fd = options.is_stream() ? STDIN_FILENO : -1;
-    RecordFeeder feeder{{std::move(bytes).value(), awaited_fd, how, steps}, profile, *writer};
-    if (const auto waited = wait_for_records(feeder, link, operator_break); !waited) return waited.error();
+    const auto promise = [&](const gcode::KeptOffsets& left) {
+        offsets.promise(left, link.segment(), writer->program());
+    };
+    RecordFeeder feeder{{std::move(bytes).value(), awaited_fd, how, steps, promise}, profile, *writer};
+    // Nothing was asked of the core yet.
+    const auto leave = [&] {
+        feeder.give_up();
+        feeder.wait();
+        (void)offsets.finish(feeder.offsets(), false, link.segment(), writer->program());
+    };
+    auto waited = wait_for_records(feeder, link, operator_break);
+    if (waited && operator_break.was_asked()) waited = interrupted_before_it_began();
+    if (!waited || feeder.records_written() == 0) leave();
+    if (!waited) return waited.error();
     if (feeder.records_written() == 0)
         return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, work);
-    if (operator_break.was_asked()) return interrupted_before_it_began();
-    ProgramWatch watch{link, operator_break, line_count,
-                       [&](const ProgramReport& report) { offsets.watch(feeder.offsets(), report); }};
+    ProgramWatch watch{link, operator_break, line_count};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();
     feeder.give_up();
     feeder.wait();
-    const auto kept = offsets.finish(feeder.offsets(), program_report(link.segment()), ended.has_value());
     std::optional<Error> of_run;
     if (!ended) of_run = operator_break.was_asked() ? operator_break.error({}) : ended.error();
-    auto failure = failure_of(feeder, link.segment(), writer->program(), program_name(options.path), of_run);
-    if (!failure && !kept) failure = kept.error();
-    return report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt, work);
+    const auto failure =
+        failure_of(feeder, link.segment(), writer->program(), program_name(options.path), of_run);
+    const bool is_in_order = !failure && feeder.problems().error_count() == 0;
+    const auto kept = offsets.finish(feeder.offsets(), is_in_order, link.segment(), writer->program());
+    auto reported =
+        report_end(common, options, feeder, failure, ended ? std::optional{*ended} : std::nullopt, work);
+    if (kept) return reported;
+    // It has moved all the same: that is told first.
+    print_error(kept.error());
+    if (reported && *reported == kExitDone) return kExitMachine;
+    return reported;
 }
 
 /// A stream is gone once it is run, and what begins with a line has ways of its own.
@@ -194,17 +212,11 @@ Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions
     return facts->has_value();
 }
 
-RunOffsets::Run offsets_run(const GcodeRunOptions& options, bool is_simulated) {
-    return {.program = options.is_stream() ? std::string{} : options.path,
-            .is_from_line = options.from_line > 1,
-            .keeps = !options.is_dry && !is_simulated};
-}
-
 /// On a core of our own: it is homed, and its pins are judged while it runs.
 Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& options) {
     const auto profile = chosen_profile(common);
     if (!profile) return profile.error();
-    auto offsets = RunOffsets::read(common, *profile, offsets_run(options, true));
+    auto offsets = RunOffsets::read(common, *profile, false);
     if (!offsets) return offsets.error();
     OperatorBreak operator_break;
     const auto worth = is_worth_a_trace(common, options, *profile, *offsets, operator_break);
@@ -218,6 +230,10 @@ Result<int> run_simulated(const CommonOptions& common, const GcodeRunOptions& op
     if (!core) return core.error();
     print_note("the machine is simulated");
     if (const auto homed = (*core)->home(operator_break); !homed) return homed.error();
+    if (options.is_stream()) {
+        if (const auto begun = wait_for_input((*core)->link(), operator_break); !begun) return begun.error();
+        if (const auto read = offsets->read_again(); !read) return read.error();
+    }
     bool is_finished = false;
     const auto judge = [&](const ProgramRun& run) -> Result<PinsVerdict> {
         is_finished = true;
@@ -259,12 +275,13 @@ Result<int> run_on_core(machine::MachineLink& link, const CommonOptions& common,
                         const GcodeRunOptions& options) {
     const auto profile = profile_of_core(link, common);
     if (!profile) return profile.error();
-    auto offsets = RunOffsets::read(common, *profile, offsets_run(options, false));
-    if (!offsets) return offsets.error();
     OperatorBreak operator_break;
+    operator_break.take_hang_up();
     if (options.is_stream()) {
         if (const auto begun = wait_for_input(link, operator_break); !begun) return begun.error();
     }
+    auto offsets = RunOffsets::read(common, *profile, !options.is_dry);
+    if (!offsets) return offsets.error();
     std::unique_ptr<machine::RecordedPins> recording;
     bool is_finished = false;
     PinsWork work;

@@ -17,22 +17,31 @@ std::atomic<unsigned> breaks_ever{0};  ///< of all waits together
 std::atomic<bool> third_ends_us{false};
 struct sigaction interrupt_before {};
 struct sigaction terminate_before {};
+struct sigaction hang_up_before {};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<unsigned>::is_always_lock_free);
+
+struct sigaction& action_before(int number) {
+    if (number == SIGINT) return interrupt_before;
+    return number == SIGTERM ? terminate_before : hang_up_before;
+}
 
 extern "C" void count_break(int number) {
     breaks_ever.fetch_add(1, std::memory_order_relaxed);
     const int count = break_count.fetch_add(1, std::memory_order_relaxed) + 1;
     if (count <= kEmergencyStop || !third_ends_us.load()) return;
     // Restores the old handler; the signal is delivered as soon as this one returns.
-    sigaction(number, number == SIGINT ? &interrupt_before : &terminate_before, nullptr);
+    sigaction(number, &action_before(number), nullptr);
     raise(number);
 }
 
-void install(int number, const struct sigaction& action, struct sigaction& before) {
+void install(int number) {
+    struct sigaction action {};
+    action.sa_handler = count_break;
+    sigemptyset(&action.sa_mask);
     struct sigaction former {};
     sigaction(number, &action, &former);
-    if (former.sa_handler != count_break) before = former;
+    if (former.sa_handler != count_break) action_before(number) = former;
 }
 
 }  // namespace
@@ -40,11 +49,16 @@ void install(int number, const struct sigaction& action, struct sigaction& befor
 OperatorBreak::OperatorBreak() {
     break_count = 0;
     third_ends_us = false;
-    struct sigaction action {};
-    action.sa_handler = count_break;
-    sigemptyset(&action.sa_mask);
-    install(SIGINT, action, interrupt_before);
-    install(SIGTERM, action, terminate_before);
+    install(SIGINT);
+    install(SIGTERM);
+}
+
+void OperatorBreak::take_hang_up() {
+    struct sigaction now {};
+    sigaction(SIGHUP, nullptr, &now);
+    if (now.sa_handler == SIG_IGN) return;
+    install(SIGHUP);
+    takes_hang_up_ = true;
 }
 
 OperatorBreak::~OperatorBreak() {
@@ -55,6 +69,7 @@ OperatorBreak::~OperatorBreak() {
     }
     sigaction(SIGINT, &interrupt_before, nullptr);
     sigaction(SIGTERM, &terminate_before, nullptr);
+    if (takes_hang_up_) sigaction(SIGHUP, &hang_up_before, nullptr);
 }
 
 void OperatorBreak::let_third_end_us() noexcept {

@@ -19,6 +19,8 @@ public:
     OperatorBreak(const OperatorBreak&) = delete;
     OperatorBreak& operator=(const OperatorBreak&) = delete;
 
+    /// The end of the terminal (SIGHUP) is one from here on, too, unless it was ignored, as by nohup.
+    void take_hang_up();
     bool was_asked() const noexcept;
     /// How many signals came since the program began: also those that came too late for their own wait.
     static unsigned asked_ever() noexcept;
@@ -32,6 +34,7 @@ public:
 
 private:
     int passed_on_ = 0;
+    bool takes_hang_up_ = false;
 };
 
 }  // namespace psicarve::cli

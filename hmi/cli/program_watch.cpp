@@ -31,7 +31,7 @@ Result<void> ProgramWatch::look(const CoreStatus& status) {
     const ProgramReport report = program_report(link_.segment());
     const ProgramStatus& program = report.status;
     if (quiet_label_ == nullptr) tell_hold(report);
-    follow_(report);
+    if (follow_) follow_(report);
     most_override_percent_ = std::max(most_override_percent_, status.override_percent);
     was_held_ = was_held_ || status.state == MachineState::held || program.starvations > 0;
     bar_.relabel(quiet_label_ != nullptr ? std::string{quiet_label_} : std::string{name_of(status.state)});

@@ -19,9 +19,9 @@ namespace psicarve::cli {
 class ProgramWatch {
 public:
     /// `line_count`: of the program, 0: not known. All outlive this, `operator_break` until the report is
-    /// printed. `follow`: who else looks.
+    /// printed. `follow`: who else looks; empty: nobody.
     ProgramWatch(machine::MachineLink& link, OperatorBreak& operator_break, std::uint64_t line_count,
-                 std::function<void(const ProgramReport&)> follow)
+                 std::function<void(const ProgramReport&)> follow = {})
         : link_(link),
           operator_break_(operator_break),
           bar_("starting"),

@@ -30,7 +30,6 @@ public:
         for (;;) {
             const ProgramPut put = feeder_.writer_.put_for(record, kLook);
             if (put == ProgramPut::done) {
-                feeder_.offsets_.note(record.line);
                 feeder_.records_written_.fetch_add(1);
                 return {};
             }
@@ -47,7 +46,7 @@ private:
 class RecordFeeder::JudgedMotion : public gcode::CanonSink {
 public:
     JudgedMotion(const Profile& profile, gcode::ProblemList& problems, gcode::RecordMaker& maker,
-                 gcode::OffsetsLog& offsets)
+                 gcode::KeptOffsets& offsets)
         : machine_(profile, problems), problems_(problems), maker_(maker), offsets_(offsets) {}
 
     void take(const gcode::CanonRecord& record) override {
@@ -62,7 +61,7 @@ public:
     void begin_line(const gcode::ReachedLine& line) override { maker_.begin_line(line); }
     void end_block() override { maker_.end_block(); }
     void set_offsets(const gcode::KeptOffsets& kept) override {
-        if (!is_wrong()) offsets_.set(kept, maker_.record_count());
+        if (!is_wrong()) offsets_ = kept;
     }
     bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
 
@@ -74,7 +73,7 @@ private:
     gcode::RecordMaker& maker_;
     /// The pieces of a drawn way, until its last one is known to be right: kMostDrawnChords at most.
     std::vector<gcode::CanonRecord> drawn_;
-    gcode::OffsetsLog& offsets_;
+    gcode::KeptOffsets& offsets_;
 };
 
 RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer)
@@ -115,6 +114,8 @@ void RecordFeeder::feed(Program program, const Profile& profile) {
     const auto facts = gcode::interpret_program(lines, program.language, motion, problems_);
     if (!facts) failure_ = facts.error();
     if (facts) facts_ = *facts;
+    if (facts && problems_.error_count() == 0 && maker.wants_more() && program.before_end)
+        program.before_end(offsets_);
     // Where it breaks off the machine comes to rest in order, spindle off.
     if (const auto ended = maker.finish(); !ended && !failure_) failure_ = ended.error();
     writer_.close();

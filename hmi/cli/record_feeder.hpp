@@ -3,13 +3,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "hmi/gcode/interpreter.hpp"
 #include "hmi/gcode/line_source.hpp"
-#include "hmi/gcode/offsets_log.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/gcode/record_maker.hpp"
@@ -30,6 +30,8 @@ public:
         int awaited_fd = -1;  ///< read when it has something, which may be never; -1: at once
         gcode::InterpreterOptions language;
         gcode::RunOptions run;
+        /// In the thread, before the end of a program that is right is written: what it leaves.
+        std::function<void(const gcode::KeptOffsets&)> before_end{};
     };
     /// The writer has begun its program, and outlives this.
     RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer);
@@ -45,10 +47,9 @@ public:
     bool is_done() const noexcept { return is_done_.load(std::memory_order_acquire); }
     std::uint64_t records_written() const noexcept { return records_written_.load(); }
 
-    /// What the program sets that outlives it, as the machine comes to it.
-    gcode::OffsetsLog& offsets() noexcept { return offsets_; }
-
     // Once it is done:
+    /// What holds behind the last block that was taken.
+    const gcode::KeptOffsets& offsets() const noexcept { return offsets_; }
     const gcode::ProblemList& problems() const noexcept { return problems_; }
     /// Of what was read.
     const gcode::ProgramFacts& facts() const noexcept { return facts_; }
@@ -67,7 +68,7 @@ private:
     std::atomic<bool> is_given_up_{false};
     std::atomic<bool> is_done_{false};
     std::atomic<std::uint64_t> records_written_{0};
-    gcode::OffsetsLog offsets_;
+    gcode::KeptOffsets offsets_;
     gcode::ProblemList problems_;
     gcode::ProgramFacts facts_;
     std::optional<Error> failure_;

@@ -1,64 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "hmi/cli/command_set.hpp"
-#include "hmi/gcode/offsets_log.hpp"
-#include "hmi/offsets/offsets_file.hpp"
-#include "hmi/offsets/offsets_lock.hpp"
+#include "hmi/offsets/settled_offsets.hpp"
 #include "shared/base/result.hpp"
 #include "shared/profile/profile.hpp"
-#include "shared/segment/segment_program.hpp"
+#include "shared/segment/segment.hpp"
 
 namespace psicarve::cli {
 
 /// Where the work offsets of the machine are that the common options mean: of the core that serves the
-/// segment, and while none does, of the real machine.
-offsets::OffsetsPlace offsets_place(const CommonOptions& common);
-/// Those that are kept there.
+/// segment, and while none does, of the real machine. An error where that cannot be known.
+Result<offsets::OffsetsPlace> offsets_place(const CommonOptions& common);
+offsets::OffsetsOwner offsets_owner(const CommonOptions& common);
+/// Those that are kept there. Warns of what was dropped.
 Result<offsets::Offsets> kept_offsets(const CommonOptions& common, const Profile& profile);
 
-/// The work offsets of a program's run: those that it begins with, and those that it leaves.
+/// The work offsets of a program's run, a transaction: those that it begins with, and those that it leaves if
+/// it ends in order. Else the file stays as it was.
 class RunOffsets {
 public:
-    struct Run {
-        std::string program;  ///< its file; empty: a stream
-        bool is_from_line = false;
-        bool keeps = true;  ///< what it sets outlives it
-    };
-    static Result<RunOffsets> read(const CommonOptions& common, const Profile& profile, const Run& run);
+    /// `keeps`: what it sets outlives it.
+    static Result<RunOffsets> read(const CommonOptions& common, const Profile& profile, bool keeps);
+    /// Of the same machine, as they are now.
+    Result<void> read_again();
 
-    const gcode::KeptOffsets& begin() const noexcept { return begin_; }
+    const gcode::KeptOffsets& begin() const noexcept { return begin_.kept; }
+    /// Says so where a program does not begin at the machine's zero.
+    void tell_begin() const;
     /// Before the first record is written. From here on nobody else changes them; an error where somebody has
-    /// since they were read.
+    /// since they were read, or where none can be written.
     Result<void> hold();
 
-    // While it runs, and once it is over:
-    /// How far the machine is: keeps what it has reached, now and then.
-    void watch(gcode::OffsetsLog& log, const ProgramReport& report);
-    /// `is_whole`: to its end. An error where something was to be kept and could not be.
-    Result<void> finish(gcode::OffsetsLog& log, const ProgramReport& report, bool is_whole);
+    /// Before the program's last record is written, by whichever thread writes it: whoever reads them next
+    /// keeps or drops what it left, if this process does not live to do that.
+    void promise(const gcode::KeptOffsets& left, const Segment& segment, std::uint64_t program);
+    /// No thread writes any more. `is_in_order`: the program was right, and is run to its end. An error where
+    /// something was to be kept and could not be.
+    Result<void> finish(const gcode::KeptOffsets& left, bool is_in_order, const Segment& segment,
+                        std::uint64_t program);
 
     /// Beside a trace that was written, for whoever judges it later.
     void write_beside(const std::string& trace_path) const;
 
 private:
-    RunOffsets(offsets::OffsetsPlace place, GcodeProfile letters) noexcept
-        : place_(std::move(place)), letters_(letters) {}
-    offsets::Offsets left_by(const gcode::KeptOffsets& reached, bool is_whole) const;
-    Result<void> store(const offsets::Offsets& left);
+    RunOffsets(offsets::OffsetsPlace place, offsets::OffsetsOwner owner, GcodeProfile letters,
+               bool keeps) noexcept
+        : place_(std::move(place)), owner_(std::move(owner)), letters_(letters), keeps_(keeps) {}
 
     offsets::OffsetsPlace place_;
+    offsets::OffsetsOwner owner_;
     GcodeProfile letters_;
-    Run run_;
-    offsets::Offsets before_;  ///< as it was read
-    offsets::Offsets stored_;
-    gcode::KeptOffsets begin_;
+    bool keeps_;
+    offsets::Offsets begin_;
+    bool has_promised_ = false;
     std::optional<offsets::OffsetsLock> lock_;
-    std::chrono::steady_clock::time_point next_store_{};
 };
 
 }  // namespace psicarve::cli

@@ -69,7 +69,7 @@ public:
     virtual void begin_line(const ReachedLine&) {}
     /// What follows is of another block, though perhaps of the same line.
     virtual void end_block() {}
-    /// The program has set what outlives it; holds for the records that follow.
+    /// A block, all of which was given, has set what outlives the program.
     virtual void set_offsets(const KeptOffsets&) {}
     /// False: it has failed, and there is no use in reading on.
     virtual bool wants_more() const noexcept { return true; }

@@ -55,7 +55,9 @@ void Interpreter::run(const Block& block, bool has_doubt) {
     Fault wrong = words_.read(block, options_.dialect);
     if (!wrong && words_.is_empty()) return;
     if (!wrong) wrong = judge();
+    offsets_to_tell_.reset();
     if (!wrong) wrong = execute();
+    if (!wrong && offsets_to_tell_) sink_.set_offsets(*offsets_to_tell_);
     if (!wrong) return;
     problems_.add(std::move(*wrong));
     pass_wrong();

@@ -111,7 +111,7 @@ private:
     Fault set_length();
     void set_system();
     Fault do_once();
-    void tell_offsets();
+    Fault note_offsets();
     Fault set_coordinates();
     void set_shift();
     void note_unknown(AxisMask& zeros, AxisMask axes, AxisMask unplaced) const noexcept;
@@ -178,6 +178,7 @@ private:
     Drawing drawing_;
     CycleWords cycle_;
     WorkOffsets offsets_;
+    std::optional<KeptOffsets> offsets_to_tell_;  ///< that the block sets
     std::array<Position, 2> references_;
     std::array<bool, 2> are_references_set_;
     Position program_{};  ///< where the machine stands, in program coordinates

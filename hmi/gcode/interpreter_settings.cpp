@@ -209,16 +209,20 @@ Interpreter::Fault Interpreter::do_once() {
             return std::nullopt;
     }
     refresh_program();
-    tell_offsets();
-    return std::nullopt;
+    return note_offsets();
 }
 
-void Interpreter::tell_offsets() {
+/// They are told once the whole block is accepted.
+Interpreter::Fault Interpreter::note_offsets() {
     KeptOffsets kept;
     offsets_.keep(kept);
     for (std::size_t which = 0; which < references_.size(); ++which)
         if (are_references_set_[which]) kept.references[which] = references_[which];
-    sink_.set_offsets(kept);
+    if (!kept.is_within_limits())
+        return fault(words_.column(CodeGroup::once), ProblemCode::out_of_range,
+                     "an offset beyond 1 000 000 000 mm or degrees");
+    offsets_to_tell_ = kept;
+    return std::nullopt;
 }
 
 Interpreter::Fault Interpreter::set_coordinates() {
@@ -252,8 +256,7 @@ Interpreter::Fault Interpreter::set_coordinates() {
     if (words_.has('R') && are_values_doubtful_)
         unknown_.origins[system] |= static_cast<AxisMask>(mask_of(0) | mask_of(1));
     refresh_program();
-    tell_offsets();
-    return std::nullopt;
+    return note_offsets();
 }
 
 void Interpreter::set_shift() {

@@ -134,6 +134,7 @@ bool ProgramReader::has_read_plain(std::string_view line) {
         }
     }
     interpreter_->run(*block_, parameters_->is_doubtful());
+    sink_.end_block();
     return interpreter_->wanted_jump().code == 0;
 }
 

@@ -11,13 +11,13 @@ void RecordOutlet::put(const MotionRecord& record) {
     held_ = record;
 }
 
-void RecordOutlet::end_block() noexcept {
+void RecordOutlet::end_block() {
     if (held_) held_->flags |= kEndsBlock;
+    give();
 }
 
 void RecordOutlet::flush() {
     end_block();
-    give();
 }
 
 void RecordOutlet::fail(Error error) {

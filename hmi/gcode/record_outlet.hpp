@@ -16,8 +16,8 @@ public:
     virtual Result<void> take(const MotionRecord& record) = 0;
 };
 
-/// Gives records out one later than it gets them, as what follows decides whether one ends its block: where
-/// the next one has another line. Numbers them.
+/// Gives a record out with the next one, or where its block ends: only then it is known whether it ends its
+/// block. A stream may be silent for long behind a block. Numbers them.
 class RecordOutlet {
 public:
     /// The sink outlives the outlet.
@@ -25,8 +25,8 @@ public:
 
     /// Program, sequence, check, and whether it ends its block, are filled in here.
     void put(const MotionRecord& record);
-    /// The last record ends its block, whatever follows.
-    void end_block() noexcept;
+    /// The last record ends its block, whatever follows, and is given out.
+    void end_block();
     /// Nothing follows.
     void flush();
 

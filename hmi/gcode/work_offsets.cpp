@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/work_offsets.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shared/base/units.hpp"
@@ -15,6 +16,19 @@ void turn(Position& position, double sine, double cosine) noexcept {
 }
 
 }  // namespace
+
+bool KeptOffsets::is_within_limits() const noexcept {
+    const auto is_within = [](double value) { return std::abs(value) <= kMostOffset; };
+    const auto are_within = [&](const Position& position) {
+        return std::ranges::all_of(position, is_within);
+    };
+    return are_within(shift) &&
+           std::ranges::all_of(systems,
+                               [&](const SystemOffset& system) {
+                                   return are_within(system.origin) && is_within(system.rotation_deg);
+                               }) &&
+           std::ranges::all_of(references, [&](const auto& place) { return !place || are_within(*place); });
+}
 
 WorkOffsets::WorkOffsets(const KeptOffsets& kept) noexcept
     : systems_(kept.systems),

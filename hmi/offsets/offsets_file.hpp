@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,26 +13,30 @@
 
 namespace psicarve::offsets {
 
-/// A program that runs, or was ended before its end: --from-line begins with what it began with.
-struct Unfinished {
-    std::string program;  ///< its path from the root
-    gcode::KeptOffsets began_with;
-    bool operator==(const Unfinished&) const = default;
+/// Which run of a program, in the life of which core.
+struct ProgramIdentity {
+    std::string segment;  ///< its name, with the slash
+    std::string boot_id;  ///< of the computer when it ran
+    std::uint32_t core_pid = 0;
+    std::uint64_t core_start_time = 0;  ///< as in the segment's header
+    std::uint64_t program = 0;          ///< its number, which no other program of that core has
+    bool operator==(const ProgramIdentity&) const = default;
+};
+
+/// What a program leaves if it ends in order. In the file from before its last record is written until its
+/// reader has seen how it ended, for the case that the reader does not live to see it.
+struct Pending {
+    ProgramIdentity of;
+    gcode::KeptOffsets offsets;
+    bool operator==(const Pending&) const = default;
 };
 
 /// What a file of work offsets says.
 struct Offsets {
     gcode::KeptOffsets kept;
-    std::optional<Unfinished> unfinished;
-
-    /// What a run of the program begins with. `program`: its path from the root, empty: none that can be read
-    /// twice.
-    const gcode::KeptOffsets& begin_of(std::string_view program, bool is_from_line) const noexcept;
+    std::optional<Pending> pending{};
     bool operator==(const Offsets&) const = default;
 };
-
-/// What was set between two states is set in a third one, too.
-void carry_over(const gcode::KeptOffsets& before, const gcode::KeptOffsets& after, gcode::KeptOffsets& into);
 
 /// As JSON, with the names of letters that move something or not, and which machine's they are.
 std::string text_of(const Offsets& offsets, const GcodeProfile& letters);
@@ -40,7 +45,8 @@ Result<Offsets> offsets_from(std::string_view text, const GcodeProfile& letters)
 
 /// Nothing kept where there is no file. An error names the file and the remedy.
 Result<Offsets> read_offsets(const OffsetsPlace& place, const GcodeProfile& letters);
-/// Whole or not at all. Requires OffsetsLock, and a place where something is kept.
+/// Whole or not at all; refused where read_offsets() would refuse it. Requires OffsetsLock, and a place where
+/// something is kept.
 Result<void> write_offsets(const OffsetsPlace& place, const Offsets& offsets, const GcodeProfile& letters);
 
 /// The file of the offsets that a recorded run began with, beside its trace.

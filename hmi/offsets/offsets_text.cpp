@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -21,8 +22,7 @@ using gcode::Position;
 constexpr const char* kFormatKey = "psicarve_offsets";
 constexpr int kFormat = 1;
 constexpr const char* kRotation = "R";
-constexpr double kMostOffset = 1e9;
-constexpr std::size_t kMostPathBytes = 4096;
+constexpr std::size_t kMostNameBytes = 256;
 constexpr std::array<const char*, 2> kReferenceNames{"g28", "g30"};
 
 std::string_view name_of_letters(const GcodeProfile& letters) noexcept {
@@ -32,28 +32,29 @@ std::string_view name_of_head(const GcodeProfile& letters) noexcept {
     return letters.second_head == SecondHead::follow ? "follow" : "own";
 }
 
-Json json_of(const Position& position, bool has_zeros) {
+Json json_of(const Position& position) {
     auto object = Json::object();
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
-        if (has_zeros || position[axis] != 0.0) object[std::string{kAxisLetters[axis]}] = position[axis];
+        object[std::string{kAxisLetters[axis]}] = position[axis];
     return object;
 }
 
 Json json_of(const KeptOffsets& kept) {
     auto systems = Json::object();
     for (std::size_t system = 0; system < kept.systems.size(); ++system) {
-        auto object = json_of(kept.systems[system].origin, false);
-        if (kept.systems[system].rotation_deg != 0.0) object[kRotation] = kept.systems[system].rotation_deg;
-        if (!object.empty()) systems[std::string{kSystemNames[system]}] = std::move(object);
+        if (kept.systems[system] == gcode::SystemOffset{}) continue;
+        auto object = json_of(kept.systems[system].origin);
+        object[kRotation] = kept.systems[system].rotation_deg;
+        systems[std::string{kSystemNames[system]}] = std::move(object);
     }
     Json object{{"systems", std::move(systems)}};
-    auto shift = json_of(kept.shift, false);
-    if (kept.is_shifted || !shift.empty()) {
+    if (kept.is_shifted || kept.shift != Position{}) {
+        auto shift = json_of(kept.shift);
         shift["in_force"] = kept.is_shifted;
         object["g92"] = std::move(shift);
     }
     for (std::size_t which = 0; which < kReferenceNames.size(); ++which)
-        if (kept.references[which]) object[kReferenceNames[which]] = json_of(*kept.references[which], true);
+        if (kept.references[which]) object[kReferenceNames[which]] = json_of(*kept.references[which]);
     return object;
 }
 
@@ -80,11 +81,25 @@ public:
     }
     double number(const std::string& name, const Json& value) {
         const double read = value.is_number() ? value.get<double>() : NAN;
-        if (std::isfinite(read) && std::abs(read) <= kMostOffset) return read;
+        if (std::isfinite(read) && std::abs(read) <= gcode::kMostOffset) return read;
         refuse(name + " is no number that an offset can have");
         return 0.0;
     }
-    /// Letters, and what else the caller has a place for.
+    std::uint64_t count(const Json& object, const char* key) {
+        const auto found = object.find(key);
+        if (found != object.end() && found->is_number_unsigned()) return found->get<std::uint64_t>();
+        refuse(std::string{key} + " is no number");
+        return 0;
+    }
+    std::string name(const Json& object, const char* key) {
+        const auto found = object.find(key);
+        if (found != object.end() && found->is_string() &&
+            found->get_ref<const std::string&>().size() <= kMostNameBytes)
+            return found->get<std::string>();
+        refuse(std::string{key} + " is no name");
+        return {};
+    }
+    /// All letters, and what else the caller has a place for.
     template <typename TakeOther>
     Position position(const std::string& name, const Json& object, const TakeOther& take_other) {
         Position read{};
@@ -97,6 +112,8 @@ public:
                 refuse(std::string{name}.append(" has no ").append(key));
             }
         }
+        for (const char letter : kAxisLetters)
+            if (!object.contains(std::string{letter})) refuse(name + " lacks " + letter);
         return read;
     }
 
@@ -116,13 +133,17 @@ public:
                     system.rotation_deg = number(entry.key() + " R", value);
                     return true;
                 });
+            if (!entry.value().contains(kRotation)) refuse(entry.key() + " lacks " + kRotation);
         }
-        read.shift =
-            position("g92", object_in(object, "g92"), [&](const std::string& key, const Json& value) {
+        if (object.contains("g92")) {
+            const Json& shift = object_in(object, "g92");
+            read.shift = position("g92", shift, [&](const std::string& key, const Json& value) {
                 if (key != "in_force" || !value.is_boolean()) return false;
                 read.is_shifted = value.get<bool>();
                 return true;
             });
+            if (!shift.contains("in_force")) refuse("g92 lacks in_force");
+        }
         for (std::size_t which = 0; which < kReferenceNames.size(); ++which) {
             if (!object.contains(kReferenceNames[which])) continue;
             read.references[which] =
@@ -132,9 +153,31 @@ public:
         return read;
     }
 
+    Pending pending(const Json& object) {
+        allow_only(object, {"segment", "boot_id", "core_pid", "core_start_time", "program", "offsets"});
+        Pending read;
+        read.of.segment = name(object, "segment");
+        read.of.boot_id = name(object, "boot_id");
+        const std::uint64_t pid = count(object, "core_pid");
+        if (pid > std::numeric_limits<std::uint32_t>::max()) refuse("core_pid is no process");
+        read.of.core_pid = static_cast<std::uint32_t>(pid);
+        read.of.core_start_time = count(object, "core_start_time");
+        read.of.program = count(object, "program");
+        const Json& offsets = object_in(object, "offsets");
+        allow_only(offsets, {"systems", "g92", "g28", "g30"});
+        read.offsets = kept(offsets);
+        return read;
+    }
+
 private:
     std::string what_;
 };
+
+Json json_of(const Pending& pending) {
+    return {{"segment", pending.of.segment},   {"boot_id", pending.of.boot_id},
+            {"core_pid", pending.of.core_pid}, {"core_start_time", pending.of.core_start_time},
+            {"program", pending.of.program},   {"offsets", json_of(pending.offsets)}};
+}
 
 Error begin_anew(const std::string& what) {
     return bad_input(what + ", or begin anew: psicarve gcode offsets clear all");
@@ -146,9 +189,7 @@ std::string text_of(const Offsets& offsets, const GcodeProfile& letters) {
     Json object{
         {kFormatKey, kFormat}, {"letters", name_of_letters(letters)}, {"second_head", name_of_head(letters)}};
     object.update(json_of(offsets.kept));
-    if (offsets.unfinished)
-        object["unfinished"] = Json{{"program", offsets.unfinished->program},
-                                    {"began_with", json_of(offsets.unfinished->began_with)}};
+    if (offsets.pending) object["pending"] = json_of(*offsets.pending);
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -156,11 +197,14 @@ Result<Offsets> offsets_from(std::string_view text, const GcodeProfile& letters)
     const Json object = Json::parse(text, nullptr, false);
     if (!object.is_object() || !object.contains(kFormatKey) || !object[kFormatKey].is_number_integer())
         return begin_anew("holds no work offsets; mend it");
-    if (const auto format = object[kFormatKey].get<std::int64_t>(); format != kFormat)
+    const auto format = object[kFormatKey].get<std::int64_t>();
+    if (format < kFormat)
+        return begin_anew("has format " + std::to_string(format) + ", which is none; mend it");
+    if (format > kFormat)
         return begin_anew("has format " + std::to_string(format) + " of a newer psicarve; use that one");
     Reading reading;
     reading.allow_only(object,
-                       {kFormatKey, "letters", "second_head", "systems", "g92", "g28", "g30", "unfinished"});
+                       {kFormatKey, "letters", "second_head", "systems", "g92", "g28", "g30", "pending"});
     const auto is_word = [&](const char* key, std::string_view wanted) {
         return object.contains(key) && object[key].is_string() && object[key].get<std::string>() == wanted;
     };
@@ -170,19 +214,7 @@ Result<Offsets> offsets_from(std::string_view text, const GcodeProfile& letters)
                           std::string{name_of_head(letters)} + "\"; use the profile that they are of");
     Offsets read;
     read.kept = reading.kept(object);
-    if (object.contains("unfinished")) {
-        const Json& unfinished = reading.object_in(object, "unfinished");
-        reading.allow_only(unfinished, {"program", "began_with"});
-        const auto program = unfinished.find("program");
-        if (program == unfinished.end() || !program->is_string() ||
-            program->get<std::string>().size() > kMostPathBytes) {
-            reading.refuse("unfinished names no program");
-        } else {
-            const Json& began_with = reading.object_in(unfinished, "began_with");
-            reading.allow_only(began_with, {"systems", "g92", "g28", "g30"});
-            read.unfinished = Unfinished{program->get<std::string>(), reading.kept(began_with)};
-        }
-    }
+    if (object.contains("pending")) read.pending = reading.pending(reading.object_in(object, "pending"));
     if (reading.is_wrong()) return begin_anew(reading.what() + "; mend it");
     return read;
 }

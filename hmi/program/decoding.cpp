@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "hmi/gcode/machine_check.hpp"
 #include "hmi/gcode/machine_options.hpp"
-#include "hmi/offsets/offsets_file.hpp"
+#include "hmi/offsets/settled_offsets.hpp"
 
 namespace psicarve::program {
 namespace {
@@ -119,16 +117,6 @@ private:
     std::uint64_t noted_ = 0;  ///< all bytes before it
 };
 
-Result<gcode::KeptOffsets> offsets_for(const DecodeRequest& request) {
-    if (request.segment_name.empty()) return gcode::KeptOffsets{};
-    const auto kept = offsets::read_offsets(
-        offsets::OffsetsPlace::of(request.segment_name, request.is_simulator), request.profile.gcode);
-    if (!kept) return kept.error();
-    std::error_code error;
-    const auto whole = std::filesystem::weakly_canonical(request.path, error);
-    return kept->begin_of(error ? request.path : whole.string(), request.from_line > 1);
-}
-
 gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode::AxisLetters& letters,
                                        const gcode::KeptOffsets& offsets) {
     gcode::InterpreterOptions how = gcode::machine_options(request.profile);
@@ -144,6 +132,15 @@ gcode::InterpreterOptions language_for(const DecodeRequest& request, const gcode
 
 }  // namespace
 
+Result<gcode::KeptOffsets> offsets_for(const DecodeRequest& request) {
+    if (request.segment_name.empty()) return gcode::KeptOffsets{};
+    const auto settled =
+        offsets::settled_offsets(offsets::OffsetsPlace::of(request.segment_name, request.is_simulator),
+                                 request.profile.gcode, {request.segment_name, {}});
+    if (!settled) return settled.error();
+    return settled->offsets.kept;
+}
+
 Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& progress) {
     auto decoded = std::make_shared<Decoded>();
     decoded->request = request;
@@ -152,6 +149,7 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     decoded->state = *state;
     const auto offsets = offsets_for(request);
     if (!offsets) return offsets.error();
+    decoded->offsets = *offsets;
     progress.bytes_total.store(static_cast<std::uint64_t>(std::max<std::int64_t>(state->bytes, 0)));
     auto opened = gcode::open_unchanged_program(request.path, *state);
     if (!opened) return opened.error();

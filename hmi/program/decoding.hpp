@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/gcode/kept_offsets.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/machine/loose_work.hpp"
@@ -49,7 +50,8 @@ struct Decoded {
     gcode::ProblemList problems;
     LineIndex lines;
     std::vector<SketchPoint> path;
-    Approach approach;  ///< to request.from_line
+    Approach approach;           ///< to request.from_line
+    gcode::KeptOffsets offsets;  ///< that it begins with
 
     bool is_right() const noexcept { return problems.error_count() == 0; }
 };
@@ -61,6 +63,9 @@ struct DecodeProgress {
     std::atomic<std::uint64_t> bytes_total{0};
     std::atomic<bool> is_cancelled{false};
 };
+
+/// The work offsets that a run would begin with now.
+Result<gcode::KeptOffsets> offsets_for(const DecodeRequest& request);
 
 /// Reads the whole program. Memory does not grow with it. ErrorCode::cancelled when it was.
 Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& progress);

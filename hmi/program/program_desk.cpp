@@ -100,6 +100,8 @@ void ProgramDesk::start(const session::MachineView& machine) {
     if (is_under_way()) return;
     RunRequest wanted = request();
     wanted.state = program_->state;
+    wanted.is_simulator = machine.is_simulator();
+    wanted.offsets = program_->offsets;
     // A working folder that is gone makes no path absolute: the process says what it cannot open.
     std::error_code error;
     const std::filesystem::path whole = std::filesystem::absolute(path_, error);

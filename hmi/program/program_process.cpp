@@ -87,6 +87,19 @@ Error changed_since(const std::string& path) {
     return bad_input(path + ": has been changed since it was read; decode it again");
 }
 
+/// Somebody may set a zero between the look at the path and the start.
+Result<void> require_same_offsets(const RunRequest& request, const Profile& profile) {
+    if (!request.offsets) return {};
+    DecodeRequest asked;
+    asked.profile = profile;
+    asked.segment_name = request.segment_name;
+    asked.is_simulator = request.is_simulator;
+    const auto now = offsets_for(asked);
+    if (!now) return now.error();
+    if (*now == *request.offsets) return {};
+    return bad_input("the work offsets have been changed since it was read; decode it again");
+}
+
 Error given_up() {
     return {ErrorCode::cancelled, "interrupted; nothing has moved"};
 }
@@ -133,6 +146,8 @@ ProgramProcess::Begun ProgramProcess::start(const RunFiles& files, RunRequest re
         if (!now) return {std::nullopt, refusal(now.error())};
         if (*now != *request.state) return {std::nullopt, refusal(changed_since(request.file))};
     }
+    if (const auto same = require_same_offsets(request, profile); !same)
+        return {std::nullopt, refusal(same.error())};
     const machine::UniqueFd log{
         open(files.log().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0600)};
     if (log.get() < 0)
@@ -181,6 +196,8 @@ void ProgramProcess::begin_block(const std::string& block, RunRequest request,
             if (!(*decoded)->is_right()) return {std::nullopt, {false, {}, {}, (*decoded)->problems}};
             RunRequest checked = request;
             checked.state = (*decoded)->state;
+            checked.is_simulator = judged.is_simulator;
+            checked.offsets = (*decoded)->offsets;
             return start(files, std::move(checked), judged.profile, *progress);
         });
 }

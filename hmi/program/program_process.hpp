@@ -46,7 +46,8 @@ public:
     ProgramProcess& operator=(const ProgramProcess&) = delete;
 
     /// Where one is there already nothing happens. `request.profile_path` is filled in here. A file that is
-    /// no longer in `request.state` is not run.
+    /// no longer in `request.state` is not run, and nor is a program that would begin with other work offsets
+    /// than `request.offsets`.
     void begin(RunRequest request, const Profile& profile);
     /// The same for a program of this block alone and an end, once it is judged.
     void begin_block(const std::string& block, RunRequest request, const DecodeRequest& judged_by);

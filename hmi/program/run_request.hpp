@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/gcode/kept_offsets.hpp"
 #include "hmi/gcode/line_source.hpp"
 
 namespace psicarve::program {
@@ -32,6 +33,8 @@ struct RunRequest {
     std::string profile_path;  ///< of the core's profile
     std::optional<gcode::FileState> state =
         {};  ///< that it was judged in; nothing: whoever runs it judges it
+    bool is_simulator = false;
+    std::optional<gcode::KeptOffsets> offsets = {};  ///< that it was judged with; nothing: as with `state`
 };
 
 /// What `psicarve` is started with, its own path first.

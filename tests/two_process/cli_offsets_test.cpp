@@ -30,10 +30,20 @@ protected:
         all.insert(all.end(), arguments.begin(), arguments.end());
         return std::make_unique<RunningProgram>("psicarve", all);
     }
+    /// What these commands of a shell say is run as a program.
+    int streamed(const std::string& commands) const {
+        const std::string reader = in_build("bin/psicarve") + " gcode run - --segment " + segment_;
+        const std::string whole = "( " + commands + " ) | " + reader + " > /dev/null 2> " + file("said");
+        return WEXITSTATUS(std::system(whole.c_str()));
+    }
     nlohmann::json shown() const {
         const Outcome outcome = run({"gcode", "offsets", "--json"});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
         return outcome.json();
+    }
+    bool is_pending() const {
+        const std::string path = file("state" + segment_ + ".simulated-offsets");
+        return std::filesystem::exists(path) && text_of(path).find("pending") != std::string::npos;
     }
     bool has_file() const { return std::filesystem::exists(shown()["file"].get<std::string>()); }
     std::int64_t r1_pulses() const {
@@ -74,45 +84,152 @@ TEST_F(KeptOffsetsOf, AProgramAreThoseOfTheNextAlsoOfAnotherCore) {
     EXPECT_EQ(offsets["systems"]["G59.3"]["R"], 3.0);
     EXPECT_EQ(offsets["g30"]["X"], 35.0);
     EXPECT_TRUE(offsets["simulator"]);
-    EXPECT_TRUE(offsets["unfinished"].is_null());
     // The real machine is another one.
     core_->send(SIGTERM);
     core_->wait();
     EXPECT_EQ(shown()["systems"]["G54"]["X"], 0.0);
 }
 
-TEST_F(KeptOffsetsOf, AProgramThatIsStoppedAreThoseThatTheMachineHasReached) {
+TEST_F(KeptOffsetsOf, AProgramThatIsStoppedAreThoseThatItBeganWith) {
     start_homed();
+    ASSERT_EQ(run({"gcode", "offsets", "set", "G54", "X=1"}).exit_code, 0);
+    const std::string before = text_of(shown()["file"]);
     const std::string path = program(kStopped);
     const auto running = begin({path});
     ASSERT_TRUE(comes_to_line(6));
     ASSERT_EQ(run({"stop"}).exit_code, 0);
     EXPECT_EQ(running->wait(), 4) << running->error();
-    auto offsets = shown();
-    EXPECT_EQ(offsets["systems"]["G54"]["X"], 1.0);
-    EXPECT_TRUE(offsets["g92"]["in_force"]);
-    EXPECT_EQ(offsets["unfinished"]["program"], std::filesystem::canonical(path).string());
-    EXPECT_EQ(offsets["unfinished"]["began_with"]["systems"]["G54"]["X"], 0.0);
-    // From a line on it begins as it began, though another ran meanwhile.
-    ASSERT_EQ(run({"gcode", "run", program("G53 G0 Y3\nM2\n", "mdi.ngc")}).exit_code, 0);
-    ASSERT_EQ(run({"gcode", "offsets", "set", "G55", "X=9"}).exit_code, 0);
+    EXPECT_NE(running->error().find("work offsets are not kept: it did not end"), std::string::npos)
+        << running->error();
+    EXPECT_EQ(text_of(shown()["file"]), before);
+    // From a line on it begins as it began.
     const Outcome rest = run({"gcode", "run", path, "--from-line", "7"});
     ASSERT_EQ(rest.exit_code, 0) << rest.error;
-    EXPECT_EQ(r1_pulses(), 44 * 400);
-    offsets = shown();
-    EXPECT_EQ(offsets["systems"]["G54"]["X"], 2.0);
-    EXPECT_EQ(offsets["systems"]["G55"]["X"], 9.0);
-    EXPECT_TRUE(offsets["unfinished"].is_null());
+    EXPECT_NE(rest.error.find("begins in G54 with the work offsets of "), std::string::npos) << rest.error;
+    EXPECT_EQ(r1_pulses(), 45 * 400);
+    const auto offsets = shown();
+    EXPECT_EQ(offsets["systems"]["G54"]["X"], 3.0);
+    EXPECT_TRUE(offsets["g92"]["in_force"]);
 }
 
-TEST_F(KeptOffsetsOf, AProgramWhoseReaderIsKilledAreKeptAsFarAsTheMachineHasCome) {
+TEST_F(KeptOffsetsOf, AProgramWhoseTerminalEndsAreThoseThatItBeganWith) {
     start_homed();
     const auto running = begin({program(kStopped)});
     ASSERT_TRUE(comes_to_line(6));
-    ASSERT_TRUE(eventually([&] { return has_file() && shown()["systems"]["G54"]["X"] == 1.0; }));
+    running->send(SIGHUP);
+    EXPECT_EQ(running->wait(), 4);
+    EXPECT_NE(running->error().find("not kept: it did not end"), std::string::npos) << running->error();
+    EXPECT_EQ(state(), MachineState::ready);
+    EXPECT_FALSE(is_pending());
+    EXPECT_EQ(run({"gcode", "offsets"}).error, "");
+}
+
+TEST_F(KeptOffsetsOf, AProgramWhoseReaderIsKilledAreKeptOnceTheCoreHasEndedIt) {
+    start_homed();
+    const auto running = begin({program(kStopped)});
+    ASSERT_TRUE(comes_to_line(6));
+    ASSERT_TRUE(eventually([&] { return is_pending(); }));
     running->send(SIGKILL);
     running->wait();
-    EXPECT_EQ(shown()["systems"]["G54"]["X"], 1.0);
+    EXPECT_EQ(shown()["systems"]["G54"]["X"], 0.0);
+    EXPECT_EQ(run({"gcode", "offsets", "set", "G54", "X=7"}).exit_code, 4);
+    EXPECT_TRUE(is_pending());
+    ASSERT_EQ(run({"resume"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::ready; }));
+    const Outcome next = run({"gcode", "run", program("G0 X30 Y1\nM2\n", "b.ngc")});
+    ASSERT_EQ(next.exit_code, 0) << next.error;
+    EXPECT_EQ(r1_pulses(), 32 * 400);
+    EXPECT_FALSE(is_pending());
+    EXPECT_EQ(shown()["systems"]["G54"]["X"], 2.0);
+}
+
+TEST_F(KeptOffsetsOf, AProgramWhoseReaderIsKilledAreDroppedWithOneWarningWhereItIsStopped) {
+    start_homed();
+    const auto running = begin({program(kStopped)});
+    ASSERT_TRUE(comes_to_line(6));
+    ASSERT_TRUE(eventually([&] { return is_pending(); }));
+    running->send(SIGKILL);
+    running->wait();
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    const Outcome warned = run({"gcode", "offsets", "--json"});
+    EXPECT_EQ(warned.json()["systems"]["G54"]["X"], 0.0);
+    EXPECT_NE(warned.error.find("are not kept"), std::string::npos) << warned.error;
+    EXPECT_EQ(warned.error_lines(), 1U);
+    EXPECT_EQ(run({"gcode", "offsets"}).error, "");
+}
+
+TEST_F(KeptOffsetsOf, AProgramOfACoreThatDiedAreDropped) {
+    start_homed();
+    const auto running = begin({program(kStopped)});
+    ASSERT_TRUE(comes_to_line(6));
+    ASSERT_TRUE(eventually([&] { return is_pending(); }));
+    running->send(SIGKILL);
+    running->wait();
+    core_->send(SIGKILL);
+    core_->wait();
+    start_homed();
+    const Outcome warned = run({"gcode", "offsets", "--json"});
+    EXPECT_EQ(warned.json()["systems"]["G54"]["X"], 0.0);
+    EXPECT_NE(warned.error.find("are not kept"), std::string::npos) << warned.error;
+}
+
+TEST_F(KeptOffsetsOf, AProgramOfManyDwellsAreNotKeptWhereItIsStopped) {
+    start_homed();
+    std::string text = "G21 G90\nG10 L2 P2 X3\nG0 X40\nM0\n";
+    for (int n = 0; n < 20'000; ++n) text += "G4 P0.001\n";
+    const auto running = begin({program(text + "G10 L2 P1 X5\nG0 X41\nM2\n")});
+    ASSERT_TRUE(comes_to_line(4));
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    EXPECT_EQ(running->wait(), 4) << running->error();
+    EXPECT_EQ(shown()["systems"]["G54"]["X"], 0.0);
+    EXPECT_EQ(shown()["systems"]["G55"]["X"], 0.0);
+    EXPECT_FALSE(is_pending());
+    EXPECT_EQ(run({"gcode", "run", program(text.erase(text.find("M0"), 3) + "G10 L2 P1 X5\nM2\n")}).exit_code,
+              0);
+    EXPECT_EQ(shown()["systems"]["G54"]["X"], 5.0);
+}
+
+TEST_F(KeptOffsetsOf, AProgramWhoseBlockIsRefusedAreNotKept) {
+    start_homed();
+    write("p", "G10 L2 P1 X5\nG0 X35\nG92.1 G0 X9999\n");
+    EXPECT_EQ(streamed("cat " + file("p")), 3);
+    const std::string said = text_of(file("said"));
+    EXPECT_NE(said.find("not kept: it did not end"), std::string::npos) << said;
+    EXPECT_FALSE(has_file());
+}
+
+TEST_F(KeptOffsetsOf, AStreamAreReadOnceItBegins) {
+    start_homed();
+    write("p", "G0 X30\nG10 L2 P2 X8\nM2\n");
+    const std::string set = in_build("bin/psicarve") + " gcode offsets set G54 X=5 --segment " + segment_;
+    ASSERT_EQ(streamed(set + " > /dev/null; cat " + file("p")), 0) << text_of(file("said"));
+    EXPECT_EQ(r1_pulses(), 35 * 400);
+    EXPECT_EQ(shown()["systems"]["G55"]["X"], 8.0);
+}
+
+TEST_F(KeptOffsetsOf, NothingMovesWhereNoneCanBeWritten) {
+    start_homed();
+    const std::int64_t before = r1_pulses();
+    std::filesystem::create_directories(shown()["file"].get<std::string>() + ".lock");
+    const Outcome refused = run({"gcode", "run", program("G0 X30\nM2\n")});
+    EXPECT_EQ(refused.exit_code, 4) << refused.error;
+    EXPECT_NE(refused.error.find("nothing has moved"), std::string::npos) << refused.error;
+    EXPECT_EQ(r1_pulses(), before);
+}
+
+TEST_F(KeptOffsetsOf, AProgramThatCannotBeWrittenAtItsEndAreToldBehindTheReport) {
+    start_homed();
+    const auto running = begin({program("G10 L2 P1 X5\nG0 X40\nM0\nM2\n")});
+    ASSERT_TRUE(comes_to_line(3));
+    ASSERT_TRUE(eventually([&] { return is_pending(); }));
+    const std::string path = file("state" + segment_ + ".simulated-offsets");
+    std::filesystem::remove(path);
+    std::filesystem::create_directories(path + "/in-the-way");
+    ASSERT_EQ(run({"resume"}).exit_code, 0);
+    EXPECT_EQ(running->wait(), 4);
+    EXPECT_NE(running->error().find("the program has ended, its work offsets are not kept"),
+              std::string::npos)
+        << running->error();
 }
 
 TEST_F(KeptOffsetsOf, AMachineAreLeftAloneByWhatMovesNothing) {

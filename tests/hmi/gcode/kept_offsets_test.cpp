@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/kept_offsets.hpp"
 
-#include "hmi/gcode/offsets_log.hpp"
 #include "tests/hmi/gcode/read_program.hpp"
 
 namespace psicarve::gcode {
@@ -77,57 +76,29 @@ TEST(KeptOffsets, AProgramThatSetsNoneTellsNothing) {
     EXPECT_TRUE(offsets_told("G55 G0 X1\nG43.1 Z4\n#100=5\nG28\nM2\n", x_offset(2.0)).empty());
 }
 
-TEST(OffsetsLog, HoldsNothingReachedBeforeTheMachineIsBehindIt) {
-    OffsetsLog sut{x_offset(1.0)};
-    sut.note(1);
-    sut.set(x_offset(2.0), 1);
-    sut.note(3);
-    sut.note(4);
-    sut.set(x_offset(3.0), 3);
-    EXPECT_FALSE(sut.has_reached());
-    sut.reach(0, 3);
-    EXPECT_FALSE(sut.has_reached());
-    sut.reach(1, 3);
-    EXPECT_TRUE(sut.has_reached());
-    EXPECT_EQ(sut.reached(), x_offset(1.0));
-    sut.reach(3, 3);
-    EXPECT_EQ(sut.reached(), x_offset(2.0));
-    sut.reach(4, 3);
-    EXPECT_EQ(sut.reached(), x_offset(2.0));
-    EXPECT_EQ(sut.last(), x_offset(3.0));
+TEST(KeptOffsets, OfABlockThatIsRefusedAreNotTold) {
+    const auto told_by = [](const std::string& text) {
+        TellingProgram sink;
+        ProblemList problems;
+        LineSource lines{bytes_of(text)};
+        EXPECT_TRUE(interpret_program(lines, {}, sink, problems));
+        EXPECT_EQ(problems.error_count(), 1U) << text;
+        return sink.told.size();
+    };
+    EXPECT_EQ(told_by("G92.1 G1 X5\nM2\n"), 0U);
+    EXPECT_EQ(told_by("G92.2 M98 P1.5\nM2\n"), 0U);
 }
 
-TEST(OffsetsLog, TakesTheEarliestPassOfALoopThatItMayBe) {
-    OffsetsLog sut{x_offset(0.0)};
-    for (int pass = 1; pass <= 3; ++pass) {
-        sut.set(x_offset(pass), static_cast<std::uint64_t>(2 * (pass - 1)));
-        sut.note(5);
-        sut.note(6);
-    }
-    sut.reach(6, 6);
-    EXPECT_EQ(sut.reached(), x_offset(1.0));
-    // Seen in between: it has come by.
-    sut.reach(5, 6);
-    EXPECT_EQ(sut.reached(), x_offset(2.0));
-    sut.reach(6, 4);
-    EXPECT_EQ(sut.reached(), x_offset(2.0));
-}
-
-TEST(OffsetsLog, LeavesBehindWhatTheCoreCannotHaveAnyMore) {
-    OffsetsLog sut{x_offset(0.0)};
-    for (std::uint64_t n = 0; n < OffsetsLog::kMostAhead; ++n) {
-        sut.note(5);
-        sut.note(6);
-    }
-    sut.set(x_offset(1.0), 2 * OffsetsLog::kMostAhead);
-    for (std::uint64_t n = 0; n < OffsetsLog::kMostAhead; ++n) {
-        sut.note(5);
-        sut.note(6);
-    }
-    sut.reach(5, 2 * OffsetsLog::kMostAhead);
-    EXPECT_EQ(sut.reached(), x_offset(0.0));
-    sut.reach(5, 4 * OffsetsLog::kMostAhead);
-    EXPECT_EQ(sut.reached(), x_offset(1.0));
+TEST(KeptOffsets, NoneIsSetBeyondWhatCanBeKept) {
+    const auto code_of = [](const std::string& text) {
+        const auto read = read_program(text, {});
+        return read->faults();
+    };
+    for (const char* text :
+         {"G20 G10 L2 P1 X999999999\nM2\n", "G20 G92 X-999999999\nM2\n",
+          "G10 L2 P1 X999999999\nG10 L20 P2 X-999999999\nG0 X0\nG10 L20 P2 X-999999999\nM2\n"})
+        EXPECT_FALSE(code_of(text).empty()) << text;
+    EXPECT_TRUE(code_of("G10 L2 P1 X999999999 R360\nM2\n").empty());
 }
 
 }  // namespace

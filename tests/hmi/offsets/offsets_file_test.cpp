@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <fstream>
 #include <thread>
 #include <vector>
@@ -23,8 +24,8 @@ Offsets full_offsets() {
     offsets.kept.shift[1] = 4.0;
     offsets.kept.is_shifted = true;
     offsets.kept.references[1] = gcode::Position{0.0, 5.0};
-    offsets.unfinished = Unfinished{"/parts/a \"b\".ngc", {}};
-    offsets.unfinished->began_with.systems[3].origin[0] = 7.0;
+    offsets.pending = Pending{{"/psi", "0-1", 4'000'000'000U, 77, 3}, {}};
+    offsets.pending->offsets.systems[3].origin[0] = 7.0;
     return offsets;
 }
 
@@ -62,6 +63,15 @@ TEST(OffsetsText, IsRefusedWithARemedyWhereItIsBrokenOrNewer) {
         return why_not(text);
     };
     EXPECT_NE(with("offsets\": 1", "offsets\": 2").find("newer"), std::string::npos);
+    EXPECT_NE(with("offsets\": 1", "offsets\": 0").find("mend it"), std::string::npos);
+    for (const std::string missing :
+         {"\"X\": 10.1,", "\"W\": -1000000000.0,", "\"program\": 3,", "\"core_pid\": 4000000000,"})
+        EXPECT_NE(with(missing, ""), "read") << missing;
+    std::string unsure = right;
+    for (const std::string word : {",\n    \"in_force\": true", ",\n      \"R\": 33.0"}) {
+        ASSERT_NE(unsure.find(word), std::string::npos) << unsure;
+        EXPECT_NE(with(word, "").find("lacks"), std::string::npos) << word;
+    }
     EXPECT_NE(with("-2.5", "1e10").find("G54 Y"), std::string::npos);
     EXPECT_NE(with("-2.5", "\"2\"").find("G54 Y"), std::string::npos);
     EXPECT_NE(with("G59.3", "G59.4").find("G59.4"), std::string::npos);
@@ -131,28 +141,14 @@ TEST_F(OffsetsFiles, AreOneProcessesAtATime) {
     EXPECT_TRUE(OffsetsLock::take(place(), milliseconds{0}));
 }
 
-TEST(Offsets, BeginWithWhatAnUnfinishedProgramBeganWithWhereItGoesOnFromALine) {
-    const Offsets sut = full_offsets();
-    const std::string program = sut.unfinished->program;
-    EXPECT_EQ(sut.begin_of(program, true), sut.unfinished->began_with);
-    EXPECT_EQ(sut.begin_of(program, false), sut.kept);
-    EXPECT_EQ(sut.begin_of("/parts/other.ngc", true), sut.kept);
-    EXPECT_EQ(sut.begin_of("", true), sut.kept);
-}
-
-TEST(Offsets, CarryOverOnlyWhatWasSet) {
-    gcode::KeptOffsets before;
-    before.systems[1].origin[2] = 4.0;
-    gcode::KeptOffsets after = before;
-    after.systems[0].origin[0] = 5.0;
-    after.is_shifted = true;
-    gcode::KeptOffsets into;
-    into.systems[0].origin[1] = 7.0;
-    carry_over(before, after, into);
-    EXPECT_EQ(into.systems[0].origin[0], 5.0);
-    EXPECT_EQ(into.systems[0].origin[1], 7.0);
-    EXPECT_EQ(into.systems[1].origin[2], 0.0);
-    EXPECT_TRUE(into.is_shifted);
+TEST_F(OffsetsFiles, AreNotWrittenWhereTheyWouldNotBeRead) {
+    Offsets offsets = full_offsets();
+    ASSERT_TRUE(write_offsets(place(), offsets, {}));
+    offsets.kept.shift[3] = 1.1e9;
+    EXPECT_FALSE(write_offsets(place(), offsets, {}));
+    offsets.kept.shift[3] = std::nan("");
+    EXPECT_FALSE(write_offsets(place(), offsets, {}));
+    EXPECT_EQ(*read_offsets(place(), {}), full_offsets());
 }
 
 }  // namespace

@@ -107,7 +107,6 @@ TEST_F(Decoding, BeginsWithTheOffsetsOfItsMachine) {
     ASSERT_TRUE(offsets::OffsetsLock::take(place, std::chrono::milliseconds{0}));
     offsets::Offsets kept;
     kept.kept.systems[0].origin[1] = 3.0;
-    kept.unfinished = offsets::Unfinished{std::filesystem::canonical(request.path).string(), {}};
     ASSERT_TRUE(offsets::write_offsets(place, kept, {}));
     const auto y_mm = [&request] {
         DecodeProgress progress;
@@ -116,10 +115,8 @@ TEST_F(Decoding, BeginsWithTheOffsetsOfItsMachine) {
         return read ? (*read)->path.back().place[index_of(Axis::y)] : -1.0;
     };
     EXPECT_DOUBLE_EQ(y_mm(), 8.0);
-    request.from_line = 2;
-    EXPECT_DOUBLE_EQ(y_mm(), 5.0);
+    EXPECT_EQ(*offsets_for(request), kept.kept);
     request.is_simulator = true;
-    request.from_line = 1;
     EXPECT_DOUBLE_EQ(y_mm(), 5.0);
     request.is_simulator = false;
     std::ofstream{place.path} << "junk";

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <string>
 
+#include "hmi/offsets/offsets_file.hpp"
+#include "hmi/offsets/offsets_lock.hpp"
 #include "tests/hmi/ui/program_rig.hpp"
 
 namespace psicarve::ui {
@@ -60,6 +62,27 @@ TEST_F(ProgramGuardOf, AFileThatIsAnotherByNowIsNotRun) {
     EXPECT_TRUE(state_of_page().contains("has been changed since it was read; decode it again"))
         << state_of_page().toStdString();
     EXPECT_EQ(running().program, 0U) << "nothing has moved";
+}
+
+TEST_F(ProgramGuardOf, AProgramThatWouldBeginWithOtherOffsetsIsNotRun) {
+    setenv("PSICARVE_STATE", file("state-of-offsets").c_str(), 1);
+    ASSERT_NO_FATAL_FAILURE(have_homed_window());
+    ASSERT_TRUE(opens(kShortProgram));
+    ASSERT_TRUE(comes_true([&] { return button("program_start").isEnabled(); }));
+    const auto place = offsets::OffsetsPlace::of(segment_name_, true);
+    offsets::Offsets changed;
+    changed.kept.systems[0].origin[0] = 1.0;
+    {
+        const auto lock = offsets::OffsetsLock::take(place, std::chrono::milliseconds{0});
+        ASSERT_TRUE(lock);
+        ASSERT_TRUE(offsets::write_offsets(place, changed, {}));
+    }
+    ASSERT_TRUE(click("program_start"));
+    ASSERT_TRUE(is_over(false));
+    EXPECT_TRUE(state_of_page().contains("work offsets have been changed since it was read"))
+        << state_of_page().toStdString();
+    EXPECT_EQ(running().program, 0U) << "nothing has moved";
+    setenv("PSICARVE_STATE", "", 1);
 }
 
 TEST_F(ProgramGuardOf, StopEndsWhatIsOnItsWayBeforeItMoves) {

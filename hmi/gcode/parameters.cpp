@@ -21,12 +21,12 @@ std::string parameter_name(const ParameterKey& key) {
 }
 
 StateAnswer Parameters::answer_of(const ParameterKey& key) const {
-    using Kind = StateAnswer::Kind;
+    using Given = StateAnswer::Kind;
     if (key.name.empty()) return key.number <= 5000 ? StateAnswer{} : state_.numbered(key.number);
     if (!is_global(key.name)) return {};
-    if (key.name == "_value") return {Kind::value, returned_, true};
-    if (key.name == "_value_returned") return {Kind::value, has_returned_ ? 1.0 : 0.0, true};
-    if (key.name == "_call_level") return {Kind::value, static_cast<double>(call_depth()), true};
+    if (key.name == "_value") return {Given::value, returned_, true};
+    if (key.name == "_value_returned") return {Given::value, has_returned_ ? 1.0 : 0.0, true};
+    if (key.name == "_call_level") return {Given::value, static_cast<double>(call_depth()), true};
     return state_.named(key.name);
 }
 

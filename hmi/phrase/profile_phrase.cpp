@@ -110,6 +110,7 @@ std::vector<Phrase> choices() {
             phrase("lift or stay"),
             phrase("machine or turning"),
             phrase("own or follow"),
+            phrase("axes or surface"),
             phrase("shortest or written"),
             phrase("min, max or none"),
             phrase("index or none")};

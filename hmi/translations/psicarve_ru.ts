@@ -5811,6 +5811,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>авто</translation>
         </message>
         <message>
+            <source>axes or surface</source>
+            <translation>axes или surface</translation>
+        </message>
+        <message>
             <source>axis %1</source>
             <translation>ось %1</translation>
         </message>

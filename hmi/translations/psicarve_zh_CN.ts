@@ -5804,6 +5804,10 @@ N、Shift+N  下一条、上一条记录
             <translation>自动</translation>
         </message>
         <message>
+            <source>axes or surface</source>
+            <translation>axes 或 surface</translation>
+        </message>
+        <message>
             <source>axis %1</source>
             <translation>轴 %1</translation>
         </message>

@@ -121,7 +121,8 @@ TEST_F(ProgramGuardOf, TheCardTellsOfTheMachineAsItIsNow) {
     EXPECT_TRUE(text_of("approach_told").contains("R1 38.000 mm")) << text_of("approach_told").toStdString();
     part<QAbstractButton>("program_delete").click();
     window_->refresh();
-    EXPECT_FALSE(is_card_shown()) << "it is read anew";
+    // Read anew it may be by now.
+    EXPECT_TRUE(!is_card_shown() || desk().program()->request.skips_deleted) << "a card of the old reading";
     ASSERT_TRUE(comes_true([&] { return is_card_shown(); }));
     EXPECT_TRUE(desk().program()->request.skips_deleted);
 }

@@ -12,7 +12,8 @@ import unittest
 SOURCE, WORK = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 PRESETS = """{"version": 6, "configurePresets": [%s], "testPresets": [%s]}"""
 # dev has all tests: suite.py wants one of each kind that has no second chance.
-EXACT = ["A.SameBytes", "A.ByteForByte", "SegmentMutation.A", "CarvingMutation.A", "SegmentDeath.A", "OperatorDeath.A", "CoreGuard.A"]
+EXACT = ["A.SameBytes", "A.ByteForByte", "SegmentMutation.A", "CarvingMutation.A", "SegmentDeath.A", "OperatorDeath.A", "CoreGuard.A",
+         "SamePulses.A", "WriterDeath.A"]
 
 
 def test(name, command, properties=""):

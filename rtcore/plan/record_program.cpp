@@ -116,6 +116,7 @@ void RecordProgram::take(const ProgramStep& step) {
     come_to_rest();
     switch (step.kind) {
         case MotionKind::way:
+        case MotionKind::arc:
             break;
         case MotionKind::dwell:
             dwell(round_to_pulse(step.seconds / machine_.tick_seconds()), step.line);

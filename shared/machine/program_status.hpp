@@ -30,6 +30,7 @@ std::string_view name_of(ProgramHold hold) noexcept;
 struct ProgramStatus {
     std::uint64_t program;      ///< its number; 0: there was none
     std::uint64_t line;         ///< of the motion at hand, from 1; 0: none yet
+    std::uint64_t sequence;     ///< of the motion record at hand, from 1; 0: none yet
     std::uint64_t starvations;  ///< how often the machine has waited for its records
     std::uint32_t is_running;   ///< 1: it was started and has not ended
     ProgramHold hold;           ///< none: it moves, or a command holds it
@@ -37,6 +38,6 @@ struct ProgramStatus {
     std::uint8_t is_done;  ///< 1: all of it that the core took is run; not so after a stop or an alarm
     std::uint8_t reserved;
 };
-static_assert(sizeof(ProgramStatus) == 32 && std::is_trivially_copyable_v<ProgramStatus>);
+static_assert(sizeof(ProgramStatus) == 40 && std::is_trivially_copyable_v<ProgramStatus>);
 
 }  // namespace psicarve

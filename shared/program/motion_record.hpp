@@ -16,6 +16,7 @@ enum class MotionKind : std::uint8_t {
     spindle = 3,  ///< on where `code` is 1, off where it is 0, at rest
     stop = 4,     ///< rest and wait for the operator; `code`: why, a StopReason
     end = 5,      ///< the program is done: rest, spindle off
+    arc = 6,      ///< step by step, of one head and y, about `centre_mm` to `target`; `code`: an ArcSense
 };
 
 /// Why a program waits for the operator. The numbers are part of the segment's layout.
@@ -25,9 +26,14 @@ enum class StopReason : std::uint8_t {
     tool_change = 3,  ///< M6
 };
 
+/// Which way an arc runs, seen with its head's axis to the right and y upwards. The numbers are part of the
+/// segment's layout.
+enum class ArcSense : std::uint8_t { clockwise = 1, counterclockwise = 2 };
+
 /// Flags of a record, one bit each.
 inline constexpr std::uint8_t kIsRapid = 1;    ///< a way in the air: the feed's override is not for it
 inline constexpr std::uint8_t kEndsBlock = 2;  ///< the last record of its block in the program
+inline constexpr std::uint8_t kIsStepped = 4;  ///< a way by point-by-point comparison, from rest to rest
 inline constexpr std::uint8_t kKnownFlags = kIsRapid | kEndsBlock;
 
 /// Nothing takes longer, be it a dwell or a way: a day.
@@ -40,7 +46,7 @@ struct MotionRecord {
     std::uint64_t sequence;  ///< from 1, without a gap
     std::uint64_t line;      ///< of the program, from 1
     MotionKind kind;
-    std::uint8_t axes;  ///< way: those whose target counts, bit by Axis; the others stay where they are
+    std::uint8_t axes;  ///< way, arc: those whose target counts, bit by Axis; the others stay where they are
     std::uint8_t flags;
     std::uint8_t code;
     std::uint8_t reserved[4];  ///< 0
@@ -49,9 +55,11 @@ struct MotionRecord {
     double seconds;       ///< way: the least that it may take, 0: as fast as the machine can; dwell: how long
     double tolerance_mm;  ///< way: how near its end must be passed (G64 P); 0: it is reached to the pulse, at
                           ///< rest
+    std::array<double, 2>
+        centre_mm;        ///< arc: of the circle, by machine position: its head's, y's; elsewhere 0
     std::uint64_t check;  ///< record_check() of all that stands before it
 };
-static_assert(sizeof(MotionRecord) == 88 && std::is_trivially_copyable_v<MotionRecord>,
+static_assert(sizeof(MotionRecord) == 104 && std::is_trivially_copyable_v<MotionRecord>,
               "bump kLayoutVersion");
 
 /// A number that any changed bit before `check` changes.

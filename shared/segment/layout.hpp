@@ -11,6 +11,7 @@
 #include "shared/computer/event.hpp"
 #include "shared/job/job.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/program_modes.hpp"
 #include "shared/machine/program_status.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/program/record_ring.hpp"
@@ -23,7 +24,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 13;
+inline constexpr std::uint32_t kLayoutVersion = 14;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read. Before
 /// 10 is_dry had 16 bits: its high byte, always 0, is now is_left_forecast.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;
@@ -195,6 +196,7 @@ struct ProgramControl {
     SharedRecord<ProgramProgress> progress;
     SharedRecord<ProgramRefusal> refusal;
     SharedRecord<ProgramStatus> status;  ///< of the program that runs, or ran last: how far the machine is
+    SharedRecord<ProgramModes> modes;    ///< by the writer, as it follows the machine
 };
 
 struct SegmentHeader {

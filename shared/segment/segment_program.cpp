@@ -209,6 +209,13 @@ Error ProgramWriter::error_of(ProgramPut answer) const {
                                                       : message_of(MessageId::program_is_over));
 }
 
+void ProgramWriter::tell(const ProgramModes& modes) noexcept {
+    if (segment_ == nullptr || program_ == 0 || !has_same_core()) return;
+    ProgramModes ours = modes;
+    ours.program = program_;
+    write_record(segment_->header().program.modes, ours);
+}
+
 void ProgramWriter::close() noexcept {
     if (segment_ == nullptr || !ring_) return;
     ProgramControl& control = segment_->header().program;
@@ -240,6 +247,8 @@ ProgramReport program_report(const Segment& segment) noexcept {
     const auto refusal = read_record(control.refusal);
     if (refusal && refusal->program != 0 && refusal->program == report.progress.program)
         report.refusal = *refusal;
+    const auto modes = read_record(control.modes);
+    if (modes && modes->program != 0 && modes->program == report.status.program) report.modes = *modes;
     return report;
 }
 
@@ -317,6 +326,7 @@ void clear_program_of_dead_core(SegmentHeader& header) noexcept {
     write_record(control.grant, ProgramGrant{});
     write_record(control.progress, ProgramProgress{});
     write_record(control.refusal, ProgramRefusal{});
+    write_record(control.modes, ProgramModes{});
     const std::uint64_t claim = control.claim.load();
     if (claim != 0 && !is_claimant_alive(control, claim)) free_claim(control, claim);
     event_signal(control.ends.was_taken);

@@ -55,6 +55,8 @@ public:
     /// Why a put failed, in words and as a message. Requires an answer that is not `done`.
     Error error_of(ProgramPut answer) const;
 
+    /// What holds where the machine is: for those who look on. Does nothing without a program.
+    void tell(const ProgramModes& modes) noexcept;
     /// Nothing more comes: what is queued needs no writer from here on.
     void close() noexcept;
     void release() noexcept;
@@ -85,6 +87,8 @@ struct ProgramReport {
     ProgramStatus status{};        ///< how far the machine is in it; of another program until it runs
     ProgramProgress progress{};    ///< of the program that runs, or ran last
     std::optional<ProgramRefusal> refusal{};  ///< of that program
+    std::optional<ProgramModes>
+        modes{};  ///< of the program of `status`; its writer tells them, some time later
 };
 ProgramReport program_report(const Segment& segment) noexcept;
 

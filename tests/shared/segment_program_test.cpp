@@ -72,6 +72,27 @@ TEST_F(SegmentProgram, RecordsGoFromTheWriterToTheCoreWithNumberAndSequence) {
     EXPECT_EQ(program_report(*hmi_).writer_pid, own_pid());
 }
 
+TEST_F(SegmentProgram, WhatAWriterTellsOfItsModesIsReadWithItsProgramOnly) {
+    ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
+    ASSERT_TRUE(open_for(writer).has_value());
+    desk_->tell(ProgramStatus{.program = writer.program(), .line = 3, .sequence = 5});
+    EXPECT_FALSE(program_report(*hmi_).modes.has_value());
+
+    ProgramModes modes{};
+    modes.line = 3;
+    modes.g_codes.fill(-1);
+    modes.g_codes[0] = 540;
+    writer.tell(modes);
+
+    const auto told = program_report(*hmi_).modes;
+    ASSERT_TRUE(told.has_value());
+    EXPECT_EQ(told->program, writer.program());
+    EXPECT_EQ(told->line, 3U);
+    EXPECT_EQ(told->g_codes[0], 540);
+    desk_->tell(ProgramStatus{.program = writer.program() + 1});
+    EXPECT_FALSE(program_report(*hmi_).modes.has_value());
+}
+
 TEST_F(SegmentProgram, ASecondWriterIsRefusedWithThePidOfTheFirst) {
     const ProgramWriter first = ProgramWriter::claim(*hmi_).value();
 

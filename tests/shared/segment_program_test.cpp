@@ -75,7 +75,9 @@ TEST_F(SegmentProgram, RecordsGoFromTheWriterToTheCoreWithNumberAndSequence) {
 TEST_F(SegmentProgram, WhatAWriterTellsOfItsModesIsReadWithItsProgramOnly) {
     ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
     ASSERT_TRUE(open_for(writer).has_value());
-    desk_->tell(ProgramStatus{.program = writer.program(), .line = 3, .sequence = 5});
+    ProgramStatus status{};
+    status.program = writer.program();
+    desk_->tell(status);
     EXPECT_FALSE(program_report(*hmi_).modes.has_value());
 
     ProgramModes modes{};
@@ -89,7 +91,8 @@ TEST_F(SegmentProgram, WhatAWriterTellsOfItsModesIsReadWithItsProgramOnly) {
     EXPECT_EQ(told->program, writer.program());
     EXPECT_EQ(told->line, 3U);
     EXPECT_EQ(told->g_codes[0], 540);
-    desk_->tell(ProgramStatus{.program = writer.program() + 1});
+    ++status.program;
+    desk_->tell(status);
     EXPECT_FALSE(program_report(*hmi_).modes.has_value());
 }
 

@@ -76,7 +76,9 @@ std::string lowered_text(const std::vector<LoweredFeed>& lowered, std::size_t mo
                 std::string{feed.first_line == feed.last_line ? "line " : "lines "} +
                 std::to_string(feed.first_line);
         if (feed.last_line != feed.first_line) text += " to " + std::to_string(feed.last_line);
-        text += " by " + std::to_string(std::llround(100.0 * feed.share())) + " %";
+        // No feed is lowered to a standstill.
+        const long long percent = std::llround(100.0 * feed.share());
+        text += percent > 99 ? " by over 99 %" : " by " + std::to_string(percent) + " %";
     }
     return text;
 }

@@ -272,6 +272,14 @@ TEST(ProgramRule, WantsTheRestsAndTheSpindle) {
     EXPECT_EQ(verdict_of(0.6, false), "spindle 3");
 }
 
+TEST(ProgramRule, SaysOfNoFeedThatItWasLoweredToAStandstill) {
+    const std::vector<LoweredFeed> lowered = {
+        {.first_line = 5, .last_line = 5, .asked_s = 0.01, .taken_s = 4.0},
+        {.first_line = 6, .last_line = 8, .asked_s = 1.0, .taken_s = 100.0},
+        {.first_line = 9, .last_line = 9, .asked_s = 1.0, .taken_s = 2.0}};
+    EXPECT_EQ(lowered_text(lowered, 3), "line 5 by over 99 %, lines 6 to 8 by 99 %, line 9 by 50 %");
+}
+
 TEST(ProgramRule, BeginsWhereHomingHasLastDefinedThePositions) {
     PlacedMachine machine;
     machine.to({45, 41, 0, 0}).pins().define_positions({16'000, 41 * 400, 0, 0});

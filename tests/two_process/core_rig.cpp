@@ -30,16 +30,32 @@ JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& pr
     table.source_name = "lobed";
     table.profile_toml = profile_to_toml(profile);
     table.report_json = "{}";
+    const std::size_t row_points = points;
+    table.layer_height_pulses.reserve(layers);
+    table.r_left_pulses.reserve(layers * row_points);
+    table.r_right_pulses.reserve(layers * row_points);
+    // At the same angle of another layer both heads have the same lobes.
+    struct Lobes {
+        std::int64_t psi_pulses = -1;
+        double left_mm = 0.0;
+        double right_mm = 0.0;
+    };
+    std::vector<Lobes> known(2 * row_points);  // a layer is half a turn
+    const auto lobe_mm = [](double angle_rad) { return 10.0 + std::cos(3.0 * angle_rad); };
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
         table.layer_height_pulses.push_back(pulses_from_mm(1.0 + 0.03 * layer, profile.y.pulses_per_mm));
         for (std::uint32_t point = 0; point < points; ++point) {
             const auto psi = table_angle_pulses(table.joining, table.psi_sweep_pulses, points, layer, point);
-            const double angle_rad = rad_from_pulses(psi, profile.psi.pulses_per_rev);
-            const auto radius_mm = [&](double angle) { return 10.0 + std::cos(3.0 * angle) + 0.005 * layer; };
-            table.r_left_pulses.push_back(
-                static_cast<std::int32_t>(pulses_from_mm(radius_mm(angle_rad), profile.r1.pulses_per_mm)));
+            const std::int64_t turned_pulses = psi % profile.psi.pulses_per_rev;
+            Lobes& at = known[(layer % 2) * row_points + point];
+            if (at.psi_pulses != turned_pulses) {
+                const double angle_rad = rad_from_pulses(turned_pulses, profile.psi.pulses_per_rev);
+                at = {turned_pulses, lobe_mm(angle_rad), lobe_mm(angle_rad + kPi)};
+            }
+            table.r_left_pulses.push_back(static_cast<std::int32_t>(
+                pulses_from_mm(at.left_mm + 0.005 * layer, profile.r1.pulses_per_mm)));
             table.r_right_pulses.push_back(static_cast<std::int32_t>(
-                pulses_from_mm(radius_mm(angle_rad + kPi), profile.r2.pulses_per_mm)));
+                pulses_from_mm(at.right_mm + 0.005 * layer, profile.r2.pulses_per_mm)));
         }
     }
     return table;

@@ -100,8 +100,9 @@ TEST_F(ToldModes, AreThoseOfTheLineWhereItHoldsThoughAllIsRead) {
 }
 
 TEST_F(ToldModes, SayHowFarItIsToTheEndOfTheWayAtHand) {
-    start_homed_core({"--clock", "real"});
-    const auto running = begin_program("G21 G90 F60\nG0 X40 Z41 Y5 C0\nG1 X38 Y6\nM2\n");
+    start_homed_core();
+    // Long enough to be held in, by the virtual clock too.
+    const auto running = begin_program("G21 G90 F0.2\nG0 X40 Z41 Y5 C0\nG1 X38 Y6\nM2\n");
     ASSERT_TRUE(eventually([&] {
         const auto program = told();
         return program.is_object() && program["line"] == 3 && program["to_go"].is_object();
@@ -127,7 +128,7 @@ TEST_F(ToldModes, AreOfThePassOfALoopThatIsAtHand) {
     for (int pass = 0; pass < 3; ++pass) {
         ASSERT_TRUE(eventually([&] {
             const auto program = told();
-            return program.is_object() && program["sequence"] > sequence && program["hold"] == "stop" &&
+            return program.is_object() && program["sequence"] > sequence && program["hold"] == "program stop" &&
                    program["modes"]["is_at_hand"] == true;
         })) << told().dump();
         const auto program = told();
@@ -150,7 +151,7 @@ TEST_F(ToldModes, AreOfTheirLineOnceTheirWriterWasKilled) {
     ASSERT_EQ(run({"resume"}).exit_code, 0);
     ASSERT_TRUE(eventually([&] {
         const auto program = told();
-        return program.is_object() && program["line"] == 6 && program["hold"] == "stop";
+        return program.is_object() && program["line"] == 6 && program["hold"] == "program stop";
     })) << told().dump();
     const auto program = told();
     EXPECT_EQ(program["modes"]["line"], 3);

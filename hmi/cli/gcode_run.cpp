@@ -137,9 +137,10 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     const auto promise = [&](const gcode::KeptOffsets& left) {
         offsets.promise(left, link.segment(), writer->program());
     };
-    RecordFeeder feeder{{std::move(bytes).value(), awaited_fd, how, steps, promise,
-                         link.segment().record_ring().capacity},
-                        profile, *writer};
+    RecordFeeder feeder{
+        {std::move(bytes).value(), awaited_fd, how, steps, promise, link.segment().record_ring().capacity},
+        profile,
+        *writer};
     // Nothing was asked of the core yet.
     const auto leave = [&] {
         feeder.give_up();

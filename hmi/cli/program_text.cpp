@@ -36,10 +36,8 @@ std::string by_axis_text(const ByAxis& values) {
 Json by_axis_json(const std::optional<ByAxis>& values) {
     if (!values || !report::has_numbers(*values)) return Json(nullptr);
     const auto of = [&](Axis axis) { return (*values)[index_of(axis)]; };
-    return Json{{"r1_mm", of(Axis::r1)},
-                {"r2_mm", of(Axis::r2)},
-                {"psi_deg", of(Axis::psi)},
-                {"y_mm", of(Axis::y)}};
+    return Json{
+        {"r1_mm", of(Axis::r1)}, {"r2_mm", of(Axis::r2)}, {"psi_deg", of(Axis::psi)}, {"y_mm", of(Axis::y)}};
 }
 
 std::optional<ByAxis> to_go(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {

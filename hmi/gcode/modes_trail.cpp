@@ -63,8 +63,7 @@ std::optional<ProgramModes> ModesTrail::at(std::uint64_t sequence) {
     const std::lock_guard lock{mutex_};
     drop_before(ways_, sequence);
     drop_before(changes_, sequence);
-    if (ways_.empty() || ways_.front().first > sequence || ways_.front().last < sequence)
-        return std::nullopt;
+    if (ways_.empty() || ways_.front().first > sequence || ways_.front().last < sequence) return std::nullopt;
     return shown(changes_.front(), ways_.front());
 }
 

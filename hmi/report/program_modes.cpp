@@ -49,8 +49,7 @@ std::string word_text(double value) {
 }
 
 bool is_at_hand(const ProgramModes& modes, const ProgramStatus& status) noexcept {
-    return modes.program == status.program && !codes_text(modes).empty() &&
-           status.sequence <= modes.sequence;
+    return modes.program == status.program && !codes_text(modes).empty() && status.sequence <= modes.sequence;
 }
 
 bool has_numbers(const std::array<double, kAxisCount>& values) noexcept {

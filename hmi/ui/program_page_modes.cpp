@@ -32,8 +32,7 @@ QString of_codes(const ProgramModes& modes) {
 
 QString ProgramPage::places_text(const std::array<double, kAxisCount>& places) const {
     const auto of = [&](Axis axis) { return place_number(places[index_of(axis)]); };
-    return tr("R1 %1 · R2 %2 · Y %3 mm · Ψ %4°")
-        .arg(of(Axis::r1), of(Axis::r2), of(Axis::y), of(Axis::psi));
+    return tr("R1 %1 · R2 %2 · Y %3 mm · Ψ %4°").arg(of(Axis::r1), of(Axis::r2), of(Axis::y), of(Axis::psi));
 }
 
 /// Of the program that runs, whoever started it; empty: none does.
@@ -49,7 +48,8 @@ QString ProgramPage::modes_text() const {
         if (report::has_numbers(modes.zero)) {
             const QString system = QString::fromStdString(report::system_text(modes));
             QString zero = tr("Zero of %1: %2").arg(system, places_text(modes.zero));
-            if (modes.rotation_deg != 0.0) zero += ", " + tr("turned by %1°").arg(place_number(modes.rotation_deg));
+            if (modes.rotation_deg != 0.0)
+                zero += ", " + tr("turned by %1°").arg(place_number(modes.rotation_deg));
             lines += zero;
         }
         const auto to_go = context_.knows_core_profile()
@@ -74,7 +74,8 @@ QString ProgramPage::offsets_text() const {
     QString places;
     for (std::size_t letter = 0; letter < gcode::kLetterCount; ++letter) {
         if ((moved & gcode::mask_of(letter)) == 0) continue;
-        places += QStringLiteral(" %1 %2").arg(QLatin1Char{gcode::kAxisLetters[letter]}, place_number(zero[letter]));
+        places += QStringLiteral(" %1 %2").arg(QLatin1Char{gcode::kAxisLetters[letter]},
+                                               place_number(zero[letter]));
     }
     return tr("Begins in %1 (zero%2) with the work offsets of %3.")
         .arg(system, places, QString::fromStdString(read->offsets_path));

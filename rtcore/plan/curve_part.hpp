@@ -25,7 +25,7 @@ struct DecidedPoints {
 struct CurvePart {
     std::vector<PathPoint> points;
     std::vector<RecordPlace> lines;  ///< of the program, by point: of the way that reaches it
-    Lanes begin_at;                    ///< where the curve begins [pulses]
+    Lanes begin_at;                  ///< where the curve begins [pulses]
     std::vector<PathCell> cells;
     std::vector<Lanes> cell_at;           ///< position at each cell's begin [pulses]
     std::vector<std::uint32_t> point_at;  ///< index of the point that a cell holds, or PathPiece::kNoPoint

@@ -51,9 +51,9 @@ TEST_F(ToldModes, AreThoseOfTheLineWhereItHoldsThoughAllIsRead) {
         "G21 G90 G92 X5\nG61 G1 X6 F120\nM0\nG92.1 G54 M5\nG0 X40\nM2\n");
     ASSERT_TRUE(holds_and_tells(3));
     const auto first = told();
-    EXPECT_EQ(first["modes"]["codes"],
-              "G0 G17 G21 G90 G94 G54 G64 G40 G49 G99 G91.1 G13.1 M5 M9 M48");
-    EXPECT_EQ(first["modes"]["zero"], (nlohmann::json{{"r1_mm", 0.0}, {"r2_mm", 0.0}, {"psi_deg", 0.0}, {"y_mm", 0.0}}));
+    EXPECT_EQ(first["modes"]["codes"], "G0 G17 G21 G90 G94 G54 G64 G40 G49 G99 G91.1 G13.1 M5 M9 M48");
+    EXPECT_EQ(first["modes"]["zero"],
+              (nlohmann::json{{"r1_mm", 0.0}, {"r2_mm", 0.0}, {"psi_deg", 0.0}, {"y_mm", 0.0}}));
     EXPECT_EQ(first["modes"]["feed"], 0.0);
     expect_at_end(first);
     EXPECT_EQ(first["queue"]["of"], 8192);
@@ -62,8 +62,7 @@ TEST_F(ToldModes, AreThoseOfTheLineWhereItHoldsThoughAllIsRead) {
     ASSERT_EQ(run({"resume"}).exit_code, 0);
     ASSERT_TRUE(holds_and_tells(7));
     const auto second = told();
-    EXPECT_EQ(second["modes"]["codes"],
-              "G1 G17 G20 G91 G94 G55 G64 G40 G49 G99 G91.1 G13.1 M3 M9 M48");
+    EXPECT_EQ(second["modes"]["codes"], "G1 G17 G20 G91 G94 G55 G64 G40 G49 G99 G91.1 G13.1 M3 M9 M48");
     EXPECT_EQ(second["modes"]["zero"],
               (nlohmann::json{{"r1_mm", 30.0}, {"r2_mm", 0.0}, {"psi_deg", 90.0}, {"y_mm", 4.0}}));
     EXPECT_EQ(second["modes"]["feed"], 10.0);
@@ -71,18 +70,19 @@ TEST_F(ToldModes, AreThoseOfTheLineWhereItHoldsThoughAllIsRead) {
     EXPECT_EQ(second["modes"]["system"], "G55");
     expect_at_end(second);
     const std::string text = run({"status"}).out;
-    EXPECT_NE(text.find("modes      G1 G17 G20 G91 G94 G55 G64 G40 G49 G99 G91.1 G13.1 M3 M9 M48; F 10, S 900, T 0\n"
-                        "zero       G55: r1 30.000 mm, r2 0.000 mm, psi 90.000 deg, y 4.000 mm\n"
-                        "to go      r1 0.000 mm, r2 0.000 mm, psi 0.000 deg, y 0.000 mm\n"
-                        "queue      0 of 8192 records\n"),
-              std::string::npos)
+    EXPECT_NE(
+        text.find(
+            "modes      G1 G17 G20 G91 G94 G55 G64 G40 G49 G99 G91.1 G13.1 M3 M9 M48; F 10, S 900, T 0\n"
+            "zero       G55: r1 30.000 mm, r2 0.000 mm, psi 90.000 deg, y 4.000 mm\n"
+            "to go      r1 0.000 mm, r2 0.000 mm, psi 0.000 deg, y 0.000 mm\n"
+            "queue      0 of 8192 records\n"),
+        std::string::npos)
         << text;
 
     ASSERT_EQ(run({"resume"}).exit_code, 0);
     ASSERT_TRUE(holds_and_tells(10));
     const auto third = told();
-    EXPECT_EQ(third["modes"]["codes"],
-              "G1 G17 G21 G90 G94 G55 G61 G40 G49 G99 G91.1 G13.1 M3 M9 M48");
+    EXPECT_EQ(third["modes"]["codes"], "G1 G17 G21 G90 G94 G55 G61 G40 G49 G99 G91.1 G13.1 M3 M9 M48");
     EXPECT_NEAR(third["modes"]["zero"]["r1_mm"].get<double>(), 40.0 - 2.54 - 5.0, 1e-9);
     EXPECT_EQ(third["modes"]["feed"], 120.0);
     EXPECT_GT(third["sequence"], second["sequence"]);
@@ -128,8 +128,8 @@ TEST_F(ToldModes, AreOfThePassOfALoopThatIsAtHand) {
     for (int pass = 0; pass < 3; ++pass) {
         ASSERT_TRUE(eventually([&] {
             const auto program = told();
-            return program.is_object() && program["sequence"] > sequence && program["hold"] == "program stop" &&
-                   program["modes"]["is_at_hand"] == true;
+            return program.is_object() && program["sequence"] > sequence &&
+                   program["hold"] == "program stop" && program["modes"]["is_at_hand"] == true;
         })) << told().dump();
         const auto program = told();
         EXPECT_EQ(program["line"], 5);

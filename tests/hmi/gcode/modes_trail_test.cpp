@@ -77,8 +77,9 @@ TEST(ModesTrail, TellsInFrontOfAProgramWhatItBeginsWith) {
     ReadAhead sut{"G20 G91 F3\nG0 X-1\nM2\n"};
     const auto told = sut.trail().at(0);
     ASSERT_TRUE(told);
-    EXPECT_EQ(codes_of(*told), (std::vector<int>{800, 170, 210, 900, 940, 540, 640, 400, 490, 990, 911, 131,  //
-                                                 5, 9, 48}));
+    EXPECT_EQ(codes_of(*told),
+              (std::vector<int>{800, 170, 210, 900, 940, 540, 640, 400, 490, 990, 911, 131,  //
+                                5, 9, 48}));
     EXPECT_EQ(told->sequence, 0U);
     EXPECT_EQ(told->feed, 0.0);
 }
@@ -170,7 +171,8 @@ TEST(ModesTrail, TellsTheInterpretersModesOnlyWhenTheyChange) {
 
 TEST(ModesTrail, ForgetsTheOldestWhereItMayKeepNoMore) {
     std::string text = "G21 G90\n";
-    for (int i = 0; i < 50; ++i) text += "G1 X" + std::to_string(40 + i % 2) + " F" + std::to_string(100 + i) + "\n";
+    for (int i = 0; i < 50; ++i)
+        text += "G1 X" + std::to_string(40 + i % 2) + " F" + std::to_string(100 + i) + "\n";
     ReadAhead sut{text + "M2\n", 10};
     EXPECT_LE(sut.trail().way_count(), 10U);
     EXPECT_FALSE(sut.trail().at(0));

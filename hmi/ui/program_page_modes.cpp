@@ -74,8 +74,8 @@ QString ProgramPage::offsets_text() const {
     QString places;
     for (std::size_t letter = 0; letter < gcode::kLetterCount; ++letter) {
         if ((moved & gcode::mask_of(letter)) == 0) continue;
-        places += QStringLiteral(" %1 %2").arg(QLatin1Char{gcode::kAxisLetters[letter]},
-                                               place_number(zero[letter]));
+        places += QStringLiteral(" ") + QLatin1Char{gcode::kAxisLetters[letter]} + QStringLiteral(" ") +
+                  place_number(zero[letter]);
     }
     return tr("Begins in %1 (zero%2) with the work offsets of %3.")
         .arg(system, places, QString::fromStdString(read->offsets_path));

@@ -88,7 +88,7 @@ TEST(ModesTrail, TellsOfEachWayWhatHoldsThereThoughAllIsRead) {
     ReadAhead sut{
         "G21 G90 G94 G10 L2 P2 X30 Y4\nG0 X40 Y5\nG55 G61 S900 M3 F250\nG1 X12\nG92 X2\nG91 M7\nM8\n"
         "G1 X1 F0.5 G93\nG54 G92.1 M5\nG90 G0 X41\nM2\n"};
-    ASSERT_EQ(sut.records.size(), 6U);
+    ASSERT_EQ(sut.records.size(), 7U);
     const auto first = sut.trail().at(1);
     ASSERT_TRUE(first);
     EXPECT_TRUE(has_code(*first, 0) && has_code(*first, 540) && has_code(*first, 900));

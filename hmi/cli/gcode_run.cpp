@@ -16,6 +16,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/modes_teller.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/program_core.hpp"
@@ -136,7 +137,10 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     const auto promise = [&](const gcode::KeptOffsets& left) {
         offsets.promise(left, link.segment(), writer->program());
     };
-    RecordFeeder feeder{{std::move(bytes).value(), awaited_fd, how, steps, promise}, profile, *writer};
+    RecordFeeder feeder{
+        {std::move(bytes).value(), awaited_fd, how, steps, promise, link.segment().record_ring().capacity},
+        profile,
+        *writer};
     // Nothing was asked of the core yet.
     const auto leave = [&] {
         feeder.give_up();
@@ -149,9 +153,12 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (!waited) return waited.error();
     if (feeder.records_written() == 0)
         return report_end(common, options, feeder, feeder.failure(), ProgramRun{}, work);
-    ProgramWatch watch{link, operator_break, line_count};
+    ModesTeller teller{feeder.trail(), *writer};
+    ProgramWatch watch{link, operator_break, line_count,
+                       [&teller](const ProgramReport& report) { teller.follow(report); }};
     const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
     operator_break.let_third_end_us();
+    teller.follow(program_report(link.segment()));
     feeder.give_up();
     feeder.wait();
     std::optional<Error> of_run;

@@ -1,13 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/program_text.hpp"
 
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "hmi/cli/progress_bar.hpp"
 #include "hmi/report/message_json.hpp"
+#include "hmi/report/program_modes.hpp"
 #include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
+using ByAxis = std::array<double, kAxisCount>;
+using report::word_text;
+
+/// "r1 12.000 mm, r2 0.000 mm, psi 90.000 deg, y 5.000 mm"
+std::string by_axis_text(const ByAxis& values) {
+    std::string text;
+    for (const Axis axis : kAllAxes) {
+        char number[32];
+        // No zero has a sign.
+        const double shown = std::abs(values[index_of(axis)]) < 0.0005 ? 0.0 : values[index_of(axis)];
+        std::snprintf(number, sizeof number, " %.3f", shown);
+        text += (text.empty() ? "" : ", ") + std::string{name_of(axis)} + number +
+                (axis == Axis::psi ? " deg" : " mm");
+    }
+    return text;
+}
+
+Json by_axis_json(const std::optional<ByAxis>& values) {
+    if (!values || !report::has_numbers(*values)) return Json(nullptr);
+    const auto of = [&](Axis axis) { return (*values)[index_of(axis)]; };
+    return Json{
+        {"r1_mm", of(Axis::r1)}, {"r2_mm", of(Axis::r2)}, {"psi_deg", of(Axis::psi)}, {"y_mm", of(Axis::y)}};
+}
+
+std::optional<ByAxis> to_go(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {
+    if (!report.modes || profile == nullptr) return std::nullopt;
+    return report::to_go(*report.modes, report.status, machine, *profile);
+}
+
+/// Nothing: it is not known what holds.
+std::string modes_text(const ProgramReport& report) {
+    const std::string codes = report.modes ? report::codes_text(*report.modes) : std::string{};
+    if (codes.empty()) return {};
+    const ProgramModes& modes = *report.modes;
+    std::string text = "modes      " + codes + "; F " + word_text(modes.feed) + ", S " +
+                       word_text(modes.speed_rpm) + ", T " + std::to_string(modes.tool);
+    if (!report::is_at_hand(modes, report.status)) text += " (of line " + std::to_string(modes.line) + ")";
+    text += "\n";
+    if (!report::has_numbers(modes.zero)) return text;
+    text += "zero       " + report::system_text(modes) + ": " + by_axis_text(modes.zero);
+    if (modes.rotation_deg != 0.0) text += ", turned by " + word_text(modes.rotation_deg) + " deg";
+    return text + "\n";
+}
+
+Json modes_json(const ProgramReport& report) {
+    if (!report.modes || report::codes_text(*report.modes).empty()) return Json(nullptr);
+    const ProgramModes& modes = *report.modes;
+    return Json{{"line", modes.line},
+                {"is_at_hand", report::is_at_hand(modes, report.status)},
+                {"codes", report::codes_text(modes)},
+                {"feed", modes.feed},
+                {"speed_rpm", modes.speed_rpm},
+                {"tool", modes.tool},
+                {"system", report::system_text(modes)},
+                {"zero", by_axis_json(modes.zero)},
+                {"rotation_deg", modes.rotation_deg}};
+}
 
 /// What has to be done to go on.
 std::string way_on(ProgramHold hold) {
@@ -33,12 +98,18 @@ std::string program_place_text(const ProgramReport& report) {
     return line + ": held, " + reason + "; " + way_on(program.hold);
 }
 
-std::string program_text(const ProgramReport& report) {
-    return report.status.is_running == 0 ? std::string{} : "program    " + program_place_text(report) + "\n";
+std::string program_text(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {
+    if (report.status.is_running == 0) return {};
+    std::string text = "program    " + program_place_text(report) + "\n" + modes_text(report);
+    if (const auto left = to_go(report, machine, profile)) text += "to go      " + by_axis_text(*left) + "\n";
+    text += "queue      " + std::to_string(report.queued) + " of " + std::to_string(report.ring_records) +
+            " records";
+    if (report.status.starvations > 0)
+        text += "; it had to wait for more " + count_text(report.status.starvations, "time");
+    return text + "\n";
 }
 
-nlohmann::ordered_json program_json(const ProgramReport& report) {
-    using Json = nlohmann::ordered_json;
+Json program_json(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {
     const ProgramStatus& program = report.status;
     if (program.is_running == 0) return Json(nullptr);
     Json refusal = nullptr;
@@ -48,10 +119,14 @@ nlohmann::ordered_json program_json(const ProgramReport& report) {
                        {"message", report::message_json(report.refusal->said)}};
     return Json{{"number", program.program},
                 {"line", program.line},
+                {"sequence", program.sequence},
                 {"hold", program.hold == ProgramHold::none ? Json(nullptr) : Json(name_of(program.hold))},
                 {"refusal", refusal},
                 {"single", program.is_single != 0},
-                {"starvations", program.starvations}};
+                {"starvations", program.starvations},
+                {"queue", Json{{"records", report.queued}, {"of", report.ring_records}}},
+                {"modes", modes_json(report)},
+                {"to_go", by_axis_json(to_go(report, machine, profile))}};
 }
 
 }  // namespace psicarve::cli

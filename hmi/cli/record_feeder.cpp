@@ -14,6 +14,9 @@ namespace {
 
 /// Between two looks at whether it is still wanted.
 constexpr std::chrono::milliseconds kLook{100};
+/// Records that the core has taken and not carried out: its queue of blocks, of which a record is one at
+/// least unless it leads nowhere, and what it plans at a time. With room to spare.
+constexpr std::size_t kMostHeldByCore = 24'576;
 
 Error given_up() {
     return Error{ErrorCode::cancelled, "the program was given up"};
@@ -27,6 +30,7 @@ public:
     explicit Sink(RecordFeeder& feeder) : feeder_(feeder) {}
 
     Result<void> take(const MotionRecord& record) override {
+        feeder_.trail_.note(record);
         for (;;) {
             const ProgramPut put = feeder_.writer_.put_for(record, kLook);
             if (put == ProgramPut::done) {
@@ -46,8 +50,8 @@ private:
 class RecordFeeder::JudgedMotion : public gcode::CanonSink {
 public:
     JudgedMotion(const Profile& profile, gcode::ProblemList& problems, gcode::RecordMaker& maker,
-                 gcode::KeptOffsets& offsets)
-        : machine_(profile, problems), problems_(problems), maker_(maker), offsets_(offsets) {}
+                 gcode::KeptOffsets& offsets, gcode::ModesTrail& trail)
+        : machine_(profile, problems), problems_(problems), maker_(maker), offsets_(offsets), trail_(trail) {}
 
     void take(const gcode::CanonRecord& record) override {
         if (is_wrong()) return;
@@ -55,6 +59,7 @@ public:
         if (is_wrong()) return;
         drawn_.push_back(record);
         if (record.ends_within) return;
+        trail_.begin_way(maker_.record_count() + 1);
         for (const gcode::CanonRecord& known : drawn_) maker_.take(known);
         drawn_.clear();
     }
@@ -63,6 +68,8 @@ public:
     void set_offsets(const gcode::KeptOffsets& kept) override {
         if (!is_wrong()) offsets_ = kept;
     }
+    void set_modes(const gcode::ActiveModes& modes) override { trail_.set_modes(modes); }
+    bool wants_modes() const noexcept override { return true; }
     bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
 
 private:
@@ -74,10 +81,13 @@ private:
     /// The pieces of a drawn way, until its last one is known to be right: kMostDrawnChords at most.
     std::vector<gcode::CanonRecord> drawn_;
     gcode::KeptOffsets& offsets_;
+    gcode::ModesTrail& trail_;
 };
 
 RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer)
-    : writer_(writer), offsets_(program.language.offsets) {
+    : writer_(writer),
+      trail_(profile.gcode, program.language.start, program.ring_records + kMostHeldByCore),
+      offsets_(program.language.offsets) {
     thread_ = std::thread{[this, profile, program = std::move(program)]() mutable {
         feed(std::move(program), profile);
         is_done_.store(true, std::memory_order_release);
@@ -109,13 +119,14 @@ gcode::ProgramBytes RecordFeeder::patient(gcode::ProgramBytes bytes, int awaited
 void RecordFeeder::feed(Program program, const Profile& profile) {
     Sink sink{*this};
     gcode::RecordMaker maker{profile, program.run, sink};
-    JudgedMotion motion{profile, problems_, maker, offsets_};
+    JudgedMotion motion{profile, problems_, maker, offsets_, trail_};
     gcode::LineSource lines{patient(std::move(program.bytes), program.awaited_fd)};
     const auto facts = gcode::interpret_program(lines, program.language, motion, problems_);
     if (!facts) failure_ = facts.error();
     if (facts) facts_ = *facts;
     if (facts && problems_.error_count() == 0 && maker.wants_more() && program.before_end)
         program.before_end(offsets_);
+    trail_.begin_way(maker.record_count() + 1);
     // Where it breaks off the machine comes to rest in order, spindle off.
     if (const auto ended = maker.finish(); !ended && !failure_) failure_ = ended.error();
     writer_.close();

@@ -10,6 +10,7 @@
 
 #include "hmi/gcode/interpreter.hpp"
 #include "hmi/gcode/line_source.hpp"
+#include "hmi/gcode/modes_trail.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "hmi/gcode/record_maker.hpp"
@@ -32,6 +33,7 @@ public:
         gcode::RunOptions run;
         /// In the thread, before the end of a program that is right is written: what it leaves.
         std::function<void(const gcode::KeptOffsets&)> before_end{};
+        std::size_t ring_records = 0;  ///< that the ring has room for
     };
     /// The writer has begun its program, and outlives this.
     RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer);
@@ -46,6 +48,8 @@ public:
     /// Everything is written, or nothing more will be.
     bool is_done() const noexcept { return is_done_.load(std::memory_order_acquire); }
     std::uint64_t records_written() const noexcept { return records_written_.load(); }
+    /// What holds for each record that was written and is not done.
+    gcode::ModesTrail& trail() noexcept { return trail_; }
 
     // Once it is done:
     /// What holds behind the last block that was taken.
@@ -68,6 +72,7 @@ private:
     std::atomic<bool> is_given_up_{false};
     std::atomic<bool> is_done_{false};
     std::atomic<std::uint64_t> records_written_{0};
+    gcode::ModesTrail trail_;
     gcode::KeptOffsets offsets_;
     gcode::ProblemList problems_;
     gcode::ProgramFacts facts_;

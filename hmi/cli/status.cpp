@@ -178,7 +178,7 @@ std::string json_line(machine::MachineLink& link, const CoreStatus& status, cons
     const auto checkpoint = link.checkpoint();
     object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
-    object["program"] = program_json(program_report(link.segment()));
+    object["program"] = program_json(program_report(link.segment()), status, profile ? &*profile : nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
@@ -229,7 +229,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         if (as_line) return status_line(*status, pass);
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
-                           program_text(program) +
+                           program_text(program, *status, profile ? &*profile : nullptr) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
         if (const std::string remark = in_words(current_remarks(link->job_remarks(), checkpoint));
             !remark.empty())

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "hmi/gcode/active_modes.hpp"
 #include "hmi/gcode/kept_offsets.hpp"
 #include "hmi/gcode/position.hpp"
 
@@ -71,6 +72,9 @@ public:
     virtual void end_block() {}
     /// A block, all of which was given, has set what outlives the program.
     virtual void set_offsets(const KeptOffsets&) {}
+    /// What holds for the records that follow, where it is another than before. Only for who wants it.
+    virtual void set_modes(const ActiveModes&) {}
+    virtual bool wants_modes() const noexcept { return false; }
     /// False: it has failed, and there is no use in reading on.
     virtual bool wants_more() const noexcept { return true; }
 };

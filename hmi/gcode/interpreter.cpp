@@ -46,7 +46,10 @@ Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, Pro
       program_(offsets_.to_program(options.start)),
       machine_(options.start),
       placed_(options.is_start_known ? kAllLetters : AxisMask{0}),
-      start_placed_(placed_) {}
+      start_placed_(placed_),
+      wants_modes_(sink.wants_modes()) {
+    if (wants_modes_) tell_modes();
+}
 
 void Interpreter::run(const Block& block, bool has_doubt) {
     jump_.code = 0;
@@ -119,7 +122,7 @@ void Interpreter::end_without_block(std::uint64_t line) {
     CanonRecord ended;
     ended.line = line;
     ended.column = 1;
-    sink_.take(ended);
+    give(ended);
     has_ended_ = true;
 }
 
@@ -208,6 +211,8 @@ Interpreter::Fault Interpreter::judge_claims() {
 
 Interpreter::Fault Interpreter::execute() {
     is_too_far_ = false;
+    is_changing_modes_ = wants_modes_ && may_change_modes();
+    owes_modes_ = owes_modes_ || is_changing_modes_;
     if (words_.has(CodeGroup::drawing)) return set_drawing();
     set_units();
     if (auto wrong = set_feed()) return wrong;
@@ -247,7 +252,7 @@ void Interpreter::emit(CanonKind kind, int code, double value) {
     if (kind == CanonKind::path) drawing_.tolerance_mm = value;
     const bool is_rest = kind == CanonKind::stop || kind == CanonKind::tool_change;
     if (is_rest || (kind == CanonKind::dwell && value > 0.0)) ++action_count_;
-    sink_.take(made);
+    give(made);
 }
 
 void Interpreter::refresh_program() noexcept {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "hmi/gcode/active_modes.hpp"
 #include "hmi/gcode/arc.hpp"
 #include "hmi/gcode/block.hpp"
 #include "hmi/gcode/block_meaning.hpp"
@@ -161,6 +162,10 @@ private:
     AxisMask unknown_zeros() const noexcept;
     AxisMask both_if_turned(AxisMask axes) const noexcept;
 
+    bool may_change_modes() const noexcept;
+    ActiveModes active_modes() const noexcept;
+    void tell_modes();
+    void give(const CanonRecord& given);
     CanonRecord record(CanonKind kind) const;
     void emit(CanonKind kind, int code, double value);
     void emit_move(CanonRecord& record, const Position& program, const FeedAlong& along);
@@ -201,6 +206,10 @@ private:
     std::uint64_t action_count_ = 0;
     std::uint64_t line_ = 0;
     WantedJump jump_;
+    bool wants_modes_;
+    bool is_changing_modes_ = false;  ///< this block may
+    bool owes_modes_ = false;         ///< what follows may be under others than were told
+    ActiveModes told_modes_;
 };
 
 }  // namespace psicarve::gcode

@@ -171,7 +171,7 @@ void Interpreter::emit_move(CanonRecord& moved, const Position& program, const F
     moved.end = machine_;
     if (!moved.ends_within) ++motion_count_;
     if (moved.end != moved.start || moved.turns != 0) ++action_count_;
-    sink_.take(moved);
+    give(moved);
 }
 
 void Interpreter::rapid_to(const Position& program) {

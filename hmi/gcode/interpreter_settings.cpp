@@ -104,6 +104,7 @@ Interpreter::Fault Interpreter::set_switches() {
     if (value != 0.0 && value != 1.0)
         return fault(words_.column('P'), ProblemCode::out_of_range,
                      "P of " + code_name('M', code) + " is 0, off, or 1, on");
+    if (code <= 49) modes_.are_overrides_off = code == 49;
     emit(CanonKind::override_set, code, value);
     return std::nullopt;
 }
@@ -141,6 +142,7 @@ Interpreter::Fault Interpreter::set_path() {
     for (const char letter : {'P', 'Q'})
         if (code == 640 && words_.has(letter) && words_.value(letter) < 0.0)
             return fault(words_.column(letter), ProblemCode::out_of_range, "a tolerance of less than 0");
+    modes_.path = code;
     emit(CanonKind::path, code, has_tolerance ? words_.value('P') * modes_.mm_per_unit : 0.0);
     return std::nullopt;
 }
@@ -148,6 +150,7 @@ Interpreter::Fault Interpreter::set_path() {
 Interpreter::Fault Interpreter::set_length() {
     const int code = words_.code(CodeGroup::length);
     if (code == kNoCode) return std::nullopt;
+    modes_.length = code;
     if (code == 490) {
         offsets_.clear_tool();
         unknown_.tool = 0;

@@ -29,7 +29,10 @@ struct ModalState {
     bool is_spindle_reverse = false;
     bool is_mist_on = false;
     bool is_flood_on = false;
-    double tool = 0.0;  ///< selected
+    bool are_overrides_off = false;  ///< M49
+    int path = 640;                  ///< G61 G61.1 G64
+    int length = 490;                ///< G43.1 G49
+    double tool = 0.0;               ///< selected
     double tool_in_spindle = 0.0;
 };
 

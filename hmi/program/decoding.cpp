@@ -150,6 +150,8 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     const auto offsets = offsets_for(request);
     if (!offsets) return offsets.error();
     decoded->offsets = *offsets;
+    if (!request.segment_name.empty())
+        decoded->offsets_path = offsets::OffsetsPlace::of(request.segment_name, request.is_simulator).path;
     progress.bytes_total.store(static_cast<std::uint64_t>(std::max<std::int64_t>(state->bytes, 0)));
     auto opened = gcode::open_unchanged_program(request.path, *state);
     if (!opened) return opened.error();

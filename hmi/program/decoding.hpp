@@ -52,6 +52,7 @@ struct Decoded {
     std::vector<SketchPoint> path;
     Approach approach;           ///< to request.from_line
     gcode::KeptOffsets offsets;  ///< that it begins with
+    std::string offsets_path;    ///< whose they are; empty: nobody's
 
     bool is_right() const noexcept { return problems.error_count() == 0; }
 };

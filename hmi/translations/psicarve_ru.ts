@@ -616,6 +616,10 @@
             <translation>здесь %3, а ожидается таблица [%1]; её ключи пишите под [%2]</translation>
         </message>
         <message>
+            <source>(told of line %1)</source>
+            <translation>(сведения о строке %1)</translation>
+        </message>
+        <message>
             <source>--port io:ADDRESS is refused</source>
             <translation>--port io:ADDRESS отклоняется</translation>
         </message>
@@ -942,6 +946,14 @@
         <message>
             <source>Begins at</source>
             <translation>Начало</translation>
+        </message>
+        <message>
+            <source>Begins in %1 (zero%2) with the work offsets of %3.</source>
+            <translation>Начинается в %1 (ноль%2) с рабочими смещениями из %3.</translation>
+        </message>
+        <message>
+            <source>Begins in %1 at the machine's zero.</source>
+            <translation>Начинается в %1, в нуле станка.</translation>
         </message>
         <message>
             <source>Begins with layer 1 again; it asks first</source>
@@ -3345,6 +3357,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>R1 %1 mm</translation>
         </message>
         <message>
+            <source>R1 %1 · R2 %2 · Y %3 mm · Ψ %4°</source>
+            <translation>R1 %1 · R2 %2 · Y %3 мм · Ψ %4°</translation>
+        </message>
+        <message>
             <source>R1 / mm, Y upwards / mm</source>
             <translation>R1 / mm, вверх Y / mm</translation>
         </message>
@@ -4989,6 +5005,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Взглянуть перед пуском: %1</translation>
         </message>
         <message>
+            <source>To go: %1</source>
+            <translation>Осталось: %1</translation>
+        </message>
+        <message>
             <source>To the begin</source>
             <translation>К началу</translation>
         </message>
@@ -5397,6 +5417,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Zero %1</source>
             <translation>Отсчёт %1</translation>
+        </message>
+        <message>
+            <source>Zero of %1: %2</source>
+            <translation>Ноль %1: %2</translation>
         </message>
         <message>
             <source>Zero: axis %1 is not homed</source>
@@ -7143,6 +7167,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>импульсы и счётчики — целые числа</translation>
         </message>
         <message>
+            <source>queue: %1 of %2</source>
+            <translation>очередь: %1 из %2</translation>
+        </message>
+        <message>
             <source>radii of R1: %1 points differ, the first in layer %2, point %3, counted from 0</source>
             <translation>радиусы R1: отличаются точек %1, первая в слое %2, точка %3, счёт с 0</translation>
         </message>
@@ -7865,6 +7893,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>turn of the table in a layer [pulses]</source>
             <translation>поворот стола в слое [импульсы]</translation>
+        </message>
+        <message>
+            <source>turned by %1°</source>
+            <translation>повёрнут на %1°</translation>
         </message>
         <message>
             <source>two programs on one port move motors by accident</source>

@@ -616,6 +616,10 @@
             <translation>此处应为表 [%1]，却是%3；请把它的键写在 [%2] 之下</translation>
         </message>
         <message>
+            <source>(told of line %1)</source>
+            <translation>（第 %1 行时的数据）</translation>
+        </message>
+        <message>
             <source>--port io:ADDRESS is refused</source>
             <translation>--port io:ADDRESS 会被拒绝</translation>
         </message>
@@ -942,6 +946,14 @@
         <message>
             <source>Begins at</source>
             <translation>起始方向</translation>
+        </message>
+        <message>
+            <source>Begins in %1 (zero%2) with the work offsets of %3.</source>
+            <translation>从 %1 开始（零点%2），工件偏置取自 %3。</translation>
+        </message>
+        <message>
+            <source>Begins in %1 at the machine's zero.</source>
+            <translation>从 %1 开始，即机床零点。</translation>
         </message>
         <message>
             <source>Begins with layer 1 again; it asks first</source>
@@ -3344,6 +3356,10 @@ N、Shift+N  下一条、上一条记录
             <translation>R1 %1 mm</translation>
         </message>
         <message>
+            <source>R1 %1 · R2 %2 · Y %3 mm · Ψ %4°</source>
+            <translation>R1 %1 · R2 %2 · Y %3 mm · Ψ %4°</translation>
+        </message>
+        <message>
             <source>R1 / mm, Y upwards / mm</source>
             <translation>R1 / mm，Y 向上 / mm</translation>
         </message>
@@ -4984,6 +5000,10 @@ N、Shift+N  下一条、上一条记录
             <translation>启动前请留意：%1</translation>
         </message>
         <message>
+            <source>To go: %1</source>
+            <translation>剩余：%1</translation>
+        </message>
+        <message>
             <source>To the begin</source>
             <translation>到开头</translation>
         </message>
@@ -5390,6 +5410,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Zero %1</source>
             <translation>%1 设零</translation>
+        </message>
+        <message>
+            <source>Zero of %1: %2</source>
+            <translation>%1 零点：%2</translation>
         </message>
         <message>
             <source>Zero: axis %1 is not homed</source>
@@ -7136,6 +7160,10 @@ N、Shift+N  下一条、上一条记录
             <translation>脉冲和计数须为整数</translation>
         </message>
         <message>
+            <source>queue: %1 of %2</source>
+            <translation>队列：%1 / %2</translation>
+        </message>
+        <message>
             <source>radii of R1: %1 points differ, the first in layer %2, point %3, counted from 0</source>
             <translation>R1 半径：%1 点不同，首个在第 %2 层第 %3 点（从 0 计）</translation>
         </message>
@@ -7858,6 +7886,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>turn of the table in a layer [pulses]</source>
             <translation>每层转台转动 [脉冲]</translation>
+        </message>
+        <message>
+            <source>turned by %1°</source>
+            <translation>旋转 %1°</translation>
         </message>
         <message>
             <source>two programs on one port move motors by accident</source>

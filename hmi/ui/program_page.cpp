@@ -59,6 +59,7 @@ ProgramPage::ProgramPage(WindowContext& context, std::function<void(const QStrin
       progress_(new QProgressBar),
       state_(plain_label()),
       facts_(role_label("label")),
+      modes_(plain_label()),
       card_(new ApproachCard{context}),
       text_(new ProgramTextView{context.program.text()}),
       path_(new ProgramPathView),
@@ -71,6 +72,8 @@ ProgramPage::ProgramPage(WindowContext& context, std::function<void(const QStrin
     state_->setWordWrap(true);
     facts_->setObjectName("program_facts");
     facts_->setWordWrap(true);
+    modes_->setObjectName("program_modes");
+    modes_->setWordWrap(true);
     auto* all = new QVBoxLayout{this};
     all->setContentsMargins(kGap, kGap, kGap, kGap);
     all->setSpacing(kSmallGap);
@@ -78,6 +81,7 @@ ProgramPage::ProgramPage(WindowContext& context, std::function<void(const QStrin
     all->addWidget(name_);
     all->addLayout(make_switches());
     all->addWidget(state_);
+    all->addWidget(modes_);
     all->addWidget(facts_);
     all->addWidget(card_);
     all->addLayout(make_views(), 1);
@@ -349,6 +353,9 @@ void ProgramPage::refresh() {
     const bool has_failed = desk.ended() && !desk.ended()->is_done && !desk.is_block();
     set_plain_tip(*state_, has_failed ? QString::fromStdString(desk.ended()->text) : QString{});
     set_styled(state_, "role", has_failed ? "problem" : "label");
+    const QString modes = modes_text();
+    if (modes_->text() != modes) modes_->setText(modes);
+    modes_->setVisible(!modes.isEmpty());
     const QString facts = facts_text();
     if (facts_->text() != facts) facts_->setText(facts);
     facts_->setVisible(!facts.isEmpty());

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 
@@ -63,6 +64,9 @@ private:
     void show_running();
     QString facts_text() const;
     QString state_text() const;
+    QString modes_text() const;
+    QString offsets_text() const;
+    QString places_text(const std::array<double, kAxisCount>& places) const;
     void decode_again();
 
     WindowContext& context_;
@@ -80,6 +84,7 @@ private:
     ActionButton* stop_ = nullptr;
     QLabel* state_;
     QLabel* facts_;
+    QLabel* modes_;
     ApproachCard* card_;
     ProgramTextView* text_;
     ProgramPathView* path_;

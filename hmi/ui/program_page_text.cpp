@@ -16,9 +16,13 @@ QString ProgramPage::facts_text() const {
         return tr("The file has been changed since it was read: decode it again.");
     const program::Decoded& read = *desk.program();
     const auto count = [](std::uint64_t number) { return QString::fromStdString(session::counted(number)); };
-    return tr("Lines: %1, moves: %2, errors: %3, warnings: %4")
-        .arg(count(read.facts.line_count), count(read.facts.motion_count), count(read.problems.error_count()),
-             count(read.problems.warning_count()));
+    QString facts = tr("Lines: %1, moves: %2, errors: %3, warnings: %4")
+                        .arg(count(read.facts.line_count), count(read.facts.motion_count),
+                             count(read.problems.error_count()), count(read.problems.warning_count()));
+    // Before the start; then it is told what holds.
+    if (const QString offsets = offsets_text(); !offsets.isEmpty() && modes_text().isEmpty())
+        facts += QStringLiteral(" · ") + offsets;
+    return facts;
 }
 
 /// What runs, or how it ended, or why nothing can be started.

@@ -53,12 +53,12 @@ void Cycle::program_of_records_done() noexcept {
 }
 
 void Cycle::note_program_line() noexcept {
-    if (program_.is_on()) program_.note_line(motion_.program_line());
+    if (program_.is_on()) program_.note_line(motion_.program_line(), motion_.program_sequence());
 }
 
 ProgramStatus Cycle::program_status() const noexcept {
     ProgramRun shown = program_;
-    if (program_.is_on()) shown.note_line(motion_.program_line());
+    if (program_.is_on()) shown.note_line(motion_.program_line(), motion_.program_sequence());
     return shown.status();
 }
 

@@ -89,6 +89,7 @@ public:
     bool runs_short() const noexcept { return in_motion_ && feed_.goes_on() && !feed_.has_next_group(); }
     /// Of the block at hand; 0: it has none.
     std::uint64_t program_line() const noexcept { return cycle::program_line(block()); }
+    std::uint64_t program_sequence() const noexcept { return cycle::program_sequence(block()); }
     /// After kHalted.
     ProgramHold halt() const noexcept { return block().halt; }
 

@@ -64,6 +64,7 @@ public:
     bool has_block() const noexcept { return io_->blocks.front() != nullptr; }
     /// As Executor has them.
     std::uint64_t program_line() const noexcept { return executor_.program_line(); }
+    std::uint64_t program_sequence() const noexcept { return executor_.program_sequence(); }
     ProgramHold halt() const noexcept { return executor_.halt(); }
 
     /// The next run's points count on from so many.

@@ -84,7 +84,7 @@ struct MotionBlock {
     std::uint64_t group_iterations;
     std::uint32_t layer;
     std::uint32_t point;
-    std::int64_t position_pulses;  ///< latch, define
+    std::int64_t position_pulses;  ///< latch, define; a program's: set_program_sequence()
     std::int64_t ticks;            ///< dwell
     PathTiming path;               ///< path
     /// path: the straight line of whose pulses this segment has a part, and how many iterations of it come
@@ -101,6 +101,14 @@ constexpr std::uint64_t program_line(const MotionBlock& block) noexcept {
 constexpr void set_program_line(MotionBlock& block, std::uint64_t line) noexcept {
     block.layer = static_cast<std::uint32_t>(line >> 32U);
     block.point = static_cast<std::uint32_t>(line);
+}
+/// And its record's sequence, which no other pass of the line has, in the place of a latch's position: blocks
+/// of a program neither latch nor define.
+constexpr std::uint64_t program_sequence(const MotionBlock& block) noexcept {
+    return static_cast<std::uint64_t>(block.position_pulses);
+}
+constexpr void set_program_sequence(MotionBlock& block, std::uint64_t sequence) noexcept {
+    block.position_pulses = static_cast<std::int64_t>(sequence);
 }
 
 inline constexpr std::size_t kBlockRingEntries = 16384;

@@ -33,9 +33,11 @@ public:
     }
     bool is_on() const noexcept { return status_.is_running != 0; }
 
-    /// 0: the motion at hand has none.
-    void note_line(std::uint64_t line) noexcept {
-        if (line != 0) status_.line = line;
+    /// Line and record of the motion at hand. Line 0: it has none.
+    void note_line(std::uint64_t line, std::uint64_t sequence) noexcept {
+        if (line == 0) return;
+        status_.line = line;
+        status_.sequence = sequence;
     }
     /// It rests, and waits for the operator or for records.
     void wait_for(ProgramHold hold) noexcept { status_.hold = hold; }

@@ -8,6 +8,7 @@
 
 #include "rtcore/plan/path.hpp"
 #include "rtcore/plan/path_pieces.hpp"
+#include "rtcore/plan/program_step.hpp"
 #include "rtcore/plan/speed_profile.hpp"
 
 namespace psicarve::plan {
@@ -23,8 +24,8 @@ struct DecidedPoints {
 /// the first or the last point are there by halves.
 struct CurvePart {
     std::vector<PathPoint> points;
-    std::vector<std::uint64_t> lines;  ///< of the program, by point: of the way that reaches it
-    Lanes begin_at;                    ///< where the curve begins [pulses]
+    std::vector<RecordPlace> lines;  ///< of the program, by point: of the way that reaches it
+    Lanes begin_at;                  ///< where the curve begins [pulses]
     std::vector<PathCell> cells;
     std::vector<Lanes> cell_at;           ///< position at each cell's begin [pulses]
     std::vector<std::uint32_t> point_at;  ///< index of the point that a cell holds, or PathPiece::kNoPoint

@@ -16,9 +16,16 @@ struct ProgramStep {
     bool ends_block = false;
     bool is_spindle_on = false;  ///< spindle
     std::uint64_t line = 0;      ///< from 1
+    std::uint64_t sequence = 0;  ///< of the record, from 1
     Pulses4 target_pulses{};     ///< way: where all axes are after it
     double seconds = 0.0;        ///< way: the least it may take; dwell: how long
     double tolerance_mm = 0.0;   ///< way: 0: its end is reached to the pulse, at rest
+};
+
+/// Which record a motion is of, and its line.
+struct RecordPlace {
+    std::uint64_t line;
+    std::uint64_t sequence;
 };
 
 /// What a source has to give.

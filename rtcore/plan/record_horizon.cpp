@@ -87,7 +87,7 @@ bool RecordProgram::decide_part(std::size_t to) {
 }
 
 void RecordProgram::settle(CurvePart part) {
-    const std::vector<std::uint64_t> lines = speeds_.held().lines;
+    const std::vector<RecordPlace> lines = speeds_.held().lines;
     pieces_.clear();
     speeds_.settle(std::move(part), pieces_);
     add_group(lines, carries_on_ ? cycle::kGoesOn | cycle::kCarriesOn : cycle::kGoesOn);
@@ -95,7 +95,7 @@ void RecordProgram::settle(CurvePart part) {
 }
 
 void RecordProgram::end_run() {
-    const std::vector<std::uint64_t> lines = speeds_.held().lines;
+    const std::vector<RecordPlace> lines = speeds_.held().lines;
     pieces_.clear();
     speeds_.end(pieces_);
     add_group(lines, carries_on_ ? cycle::kCarriesOn : 0);

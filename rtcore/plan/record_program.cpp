@@ -112,6 +112,7 @@ bool RecordProgram::make_blocks() {
 
 void RecordProgram::take(const ProgramStep& step) {
     line_ = step.line;
+    sequence_ = step.sequence;
     if (step.kind == MotionKind::way) return take_way(step);
     come_to_rest();
     switch (step.kind) {
@@ -182,7 +183,7 @@ void RecordProgram::add_way(const ProgramStep& step) {
             points_.push_back({on_the_way, 0, 0, false});
     }
     points_.push_back({step.target_pulses, 0, 0, false});
-    ways_.resize(points_.size(), {step.line, least_pace2(step, first)});
+    ways_.resize(points_.size(), {{step.line, step.sequence}, least_pace2(step, first)});
 }
 
 // Along the way, points from `first` on, u passes at most as fast as its least time allows.
@@ -265,20 +266,21 @@ void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
     add_group(lines_of(first, last), 0);
 }
 
-std::vector<std::uint64_t> RecordProgram::lines_of(std::size_t first, std::size_t last) const {
-    std::vector<std::uint64_t> lines;
-    for (std::size_t i = first; i <= last; ++i) lines.push_back(ways_[i].line);
+std::vector<RecordPlace> RecordProgram::lines_of(std::size_t first, std::size_t last) const {
+    std::vector<RecordPlace> lines;
+    for (std::size_t i = first; i <= last; ++i) lines.push_back(ways_[i].place);
     return lines;
 }
 
 // The pieces as groups of blocks, each from rest to rest or joined to others; `lines` by point.
-void RecordProgram::add_group(std::span<const std::uint64_t> lines, unsigned joints) {
+void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joints) {
     std::size_t begin = blocks_.size();
     std::size_t point = 1;
     for (const PathPiece& piece : pieces_) {
         MotionBlock& block = blocks_.emplace_back(path_block(machine_, piece));
         block.joints = static_cast<std::uint8_t>(joints);
-        set_program_line(block, lines[point]);
+        set_program_line(block, lines[point].line);
+        set_program_sequence(block, lines[point].sequence);
         if (piece.point != PathPiece::kNoPoint && piece.point + 1 < lines.size()) point = piece.point + 1;
         if (!piece.rests && &piece != &pieces_.back()) continue;
         blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
@@ -291,6 +293,7 @@ MotionBlock& RecordProgram::add_block(BlockKind kind, std::uint64_t line) {
     MotionBlock& block = blocks_.emplace_back();
     block.kind = kind;
     set_program_line(block, line);
+    set_program_sequence(block, sequence_);
     return block;
 }
 

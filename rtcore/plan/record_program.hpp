@@ -49,7 +49,7 @@ public:
 private:
     /// What a way of the program asks for, at each of its path points.
     struct Way {
-        std::uint64_t line;
+        RecordPlace place;
         Timings least_pace2;
     };
 
@@ -72,8 +72,8 @@ private:
     void settle(CurvePart part);
     void end_run();
     Timings least_pace2(const ProgramStep& step, std::size_t first) const;
-    std::vector<std::uint64_t> lines_of(std::size_t first, std::size_t last) const;
-    void add_group(std::span<const std::uint64_t> lines, unsigned joints);
+    std::vector<RecordPlace> lines_of(std::size_t first, std::size_t last) const;
+    void add_group(std::span<const RecordPlace> lines, unsigned joints);
     void halt(ProgramHold hold, std::uint64_t line);
     void switch_spindle(bool is_on, std::uint64_t line);
     void dwell(std::int64_t ticks, std::uint64_t line);
@@ -86,7 +86,8 @@ private:
     bool is_single_;
     bool is_waiting_ = false;
     bool is_ended_ = false;
-    std::uint64_t line_ = 0;  ///< of the step taken last
+    std::uint64_t line_ = 0;      ///< of the step taken last
+    std::uint64_t sequence_ = 0;  ///< of that step
 
     // The window at hand, from where the machine rests or the curve is decided up to.
     std::vector<PathPoint> points_;

@@ -81,6 +81,7 @@ Message RecordRules::judge(const MotionRecord& record, const plan::Pulses4& at,
                              .ends_block = (record.flags & kEndsBlock) != 0,
                              .is_spindle_on = record.kind == MotionKind::spindle && record.code == 1,
                              .line = record.line,
+                             .sequence = record.sequence,
                              .target_pulses = at,
                              .seconds = record.seconds,
                              .tolerance_mm = record.tolerance_mm};

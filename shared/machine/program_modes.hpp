@@ -18,8 +18,8 @@ inline constexpr std::size_t kShownMCodes = 8;
 /// it trusts none of its numbers.
 struct ProgramModes {
     std::uint64_t program;                           ///< its number; 0: nobody has told anything
-    std::uint64_t sequence;                          ///< of the record from which on it holds
-    std::uint64_t line;                              ///< of that record, from 1
+    std::uint64_t sequence;                          ///< of the last record of the way that it holds for
+    std::uint64_t line;                              ///< of that way, from 1
     std::array<std::int16_t, kShownGCodes> g_codes;  ///< active ones in tenths (G54: 540); unused: -1
     std::array<std::int16_t, kShownMCodes> m_codes;  ///< active ones (M3: 3); unused: -1
     double feed;          ///< F as it was programmed, in the units of its mode; 0: none yet

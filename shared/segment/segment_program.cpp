@@ -242,13 +242,19 @@ ProgramReport program_report(const Segment& segment) noexcept {
     ProgramReport report;
     report.writer_pid = pid_of_claim(control.claim.load());
     report.running = control.running.load();
+    // Before the status: so it is never of a way that comes behind that.
+    const auto modes = read_record(control.modes);
     if (const auto progress = read_record(control.progress)) report.progress = *progress;
     if (const auto status = read_record(control.status)) report.status = *status;
     const auto refusal = read_record(control.refusal);
     if (refusal && refusal->program != 0 && refusal->program == report.progress.program)
         report.refusal = *refusal;
-    const auto modes = read_record(control.modes);
     if (modes && modes->program != 0 && modes->program == report.status.program) report.modes = *modes;
+    report.ring_records = segment.header().capacity_records;
+    // Both ends move meanwhile, and either may be overwritten.
+    const std::uint64_t taken = control.ends.taken.load();
+    const std::uint64_t queued = control.ends.written.load() - taken;
+    report.queued = static_cast<std::uint32_t>(std::min<std::uint64_t>(queued, report.ring_records));
     return report;
 }
 

@@ -88,7 +88,9 @@ struct ProgramReport {
     ProgramProgress progress{};    ///< of the program that runs, or ran last
     std::optional<ProgramRefusal> refusal{};  ///< of that program
     std::optional<ProgramModes>
-        modes{};  ///< of the program of `status`; its writer tells them, some time later
+        modes{};                     ///< of the program of `status`; its writer tells them, some time later
+    std::uint32_t queued = 0;        ///< records in the ring
+    std::uint32_t ring_records = 0;  ///< that it has room for
 };
 ProgramReport program_report(const Segment& segment) noexcept;
 

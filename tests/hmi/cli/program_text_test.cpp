@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "shared/base/message_text.hpp"
@@ -31,12 +32,13 @@ ProgramReport refused_report(ProgramHold hold) {
 }
 
 TEST(ProgramText, SaysWhyItIsHeldAndWhatGoesOn) {
-    EXPECT_EQ(program_text(held_report(ProgramHold::none)), "program    line 8\n");
+    EXPECT_EQ(program_text(held_report(ProgramHold::none), {}, nullptr),
+              "program    line 8\nqueue      0 of 0 records\n");
     EXPECT_EQ(program_place_text(held_report(ProgramHold::tool_change)),
               "line 8: held, tool change; psicarve resume goes on");
     EXPECT_EQ(program_place_text(held_report(ProgramHold::starved)),
               "line 8: held, starved; it goes on when more of the program comes");
-    EXPECT_EQ(program_text(ProgramReport{}), "");
+    EXPECT_EQ(program_text(ProgramReport{}, {}, nullptr), "");
 }
 
 TEST(ProgramText, SaysWhichLineTheCoreRefusedAndWhy) {
@@ -45,7 +47,7 @@ TEST(ProgramText, SaysWhichLineTheCoreRefusedAndWhy) {
         text,
         "line 8: held, program refused (line 9: a record comes after the program's end; start the program "
         "again); psicarve stop ends it");
-    const auto json = program_json(refused_report(ProgramHold::refused));
+    const auto json = program_json(refused_report(ProgramHold::refused), {}, nullptr);
     EXPECT_EQ(json["hold"], "program refused");
     EXPECT_EQ(json["refusal"]["line"], 9);
     EXPECT_EQ(json["refusal"]["message"]["id"], "program_goes_on_after_end");
@@ -55,7 +57,75 @@ TEST(ProgramText, SaysWhichLineTheCoreRefusedAndWhy) {
 TEST(ProgramText, KeepsTheReasonUntilTheMachineComesToIt) {
     EXPECT_EQ(program_place_text(refused_report(ProgramHold::single)),
               "line 8: held, single block; psicarve resume goes on");
-    EXPECT_TRUE(program_json(refused_report(ProgramHold::none))["refusal"].is_null());
+    EXPECT_TRUE(program_json(refused_report(ProgramHold::none), {}, nullptr)["refusal"].is_null());
+}
+
+ProgramReport told_report() {
+    ProgramReport report = held_report(ProgramHold::none);
+    report.status.sequence = 40;
+    report.status.starvations = 2;
+    report.queued = 12;
+    report.ring_records = 64;
+    ProgramModes modes{};
+    modes.program = 3;
+    modes.sequence = 42;
+    modes.line = 8;
+    modes.g_codes.fill(-1);
+    modes.m_codes.fill(-1);
+    modes.g_codes[0] = 20;
+    modes.g_codes[1] = 591;
+    modes.m_codes[0] = 3;
+    modes.feed = 0.25;
+    modes.zero = {1.0, -0.0001, 270.0, 2.5};
+    modes.end = {40.0, 40.0, 90.0, 5.0};
+    report.modes = modes;
+    return report;
+}
+
+TEST(ProgramText, TellsWhatHoldsAndHowFarItIs) {
+    const Profile profile;
+    CoreStatus machine{};
+    machine.position_pulses[index_of(Axis::r1)] = 400 * 39;
+    machine.position_pulses[index_of(Axis::r2)] = 400 * 40;
+    EXPECT_EQ(program_text(told_report(), machine, &profile),
+              "program    line 8\n"
+              "modes      G2 G59.1 M3; F 0.25, S 0, T 0\n"
+              "zero       G59.1: r1 1.000 mm, r2 0.000 mm, psi 270.000 deg, y 2.500 mm\n"
+              "to go      r1 1.000 mm, r2 0.000 mm, psi 90.000 deg, y 5.000 mm\n"
+              "queue      12 of 64 records; it had to wait for more 2 times\n");
+    const auto json = program_json(told_report(), machine, &profile);
+    EXPECT_EQ(json["modes"]["codes"], "G2 G59.1 M3");
+    EXPECT_EQ(json["to_go"]["y_mm"], 5.0);
+    EXPECT_EQ(json["queue"]["records"], 12);
+    EXPECT_TRUE(program_json(told_report(), machine, nullptr)["to_go"].is_null());
+}
+
+TEST(ProgramText, TellsNoDistanceToTheEndOfAWayThatIsDone) {
+    const Profile profile;
+    ProgramReport report = told_report();
+    report.status.sequence = 43;
+    report.status.line = 9;
+    EXPECT_TRUE(program_json(report, {}, &profile)["to_go"].is_null());
+    EXPECT_EQ(program_json(report, {}, &profile)["modes"]["is_at_hand"], false);
+    const std::string text = program_text(report, {}, &profile);
+    EXPECT_NE(text.find("T 0 (of line 8)\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("to go"), std::string::npos) << text;
+}
+
+// The words are another process's.
+TEST(ProgramText, LeavesOutWhatIsNoCodeAndNoNumber) {
+    const Profile profile;
+    ProgramReport report = told_report();
+    report.modes->g_codes[0] = 32'000;
+    report.modes->m_codes[0] = -77;
+    report.modes->end[1] = std::numeric_limits<double>::quiet_NaN();
+    report.modes->zero[0] = std::numeric_limits<double>::infinity();
+    const auto json = program_json(report, {}, &profile);
+    EXPECT_EQ(json["modes"]["codes"], "G59.1");
+    EXPECT_TRUE(json["modes"]["zero"].is_null());
+    EXPECT_TRUE(json["to_go"].is_null());
+    report.modes->zero[0] = 1e300;
+    EXPECT_FALSE(program_text(report, {}, &profile).empty());
 }
 
 }  // namespace

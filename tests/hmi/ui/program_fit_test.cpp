@@ -7,11 +7,13 @@
 #include <QSpinBox>
 #include <QTabWidget>
 
+#include <csignal>
 #include <fstream>
 #include <set>
 #include <string>
 
 #include "hmi/ui/language.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
 #include "tests/hmi/ui/pages_rig.hpp"
 #include "tests/thoroughness.hpp"
@@ -78,6 +80,45 @@ TEST_F(ProgramFit, WithErrorsAndWithWhatComesBeforeALine) {
     ASSERT_TRUE(click("program_start"));
     ASSERT_TRUE(comes_true([&] { return part<QWidget>("approach_card").isVisible(); }));
     ASSERT_NO_FATAL_FAILURE(expect_fit("from_line"));
+}
+
+TEST_F(ProgramFit, WithAllThatHoldsInAProgram) {
+    start_core();
+    open_window();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(MachineState::ready));
+    open_text("G21 G90 F300\nG0 X40 Z41 Y5\nG1 X38\nM2\n");
+    core_->send_signal(SIGSTOP);  // its words are ours
+    auto status = load_words<CoreStatus>(segment_->header().status.words);
+    status.state = MachineState::held;
+    ProgramStatus program{};
+    program.program = 1;
+    program.line = 10'000'000;
+    program.sequence = 10'000'000;
+    program.is_running = 1;
+    program.starvations = 12;
+    program.hold = ProgramHold::tool_change;
+    write_record(segment_->header().program.status, program);
+    ProgramModes modes{};
+    modes.program = 1;
+    modes.line = 10'000'000;
+    modes.sequence = 10'000'000;
+    modes.g_codes = {20, 180, 200, 910, 940, 593, 611, 400, 431, 990, 911, 131, -1, -1, -1, -1};
+    modes.m_codes = {3, 7, 8, 48, -1, -1, -1, -1};
+    modes.feed = 1234.5678;
+    modes.speed_rpm = 24'000;
+    modes.tool = 12;
+    modes.rotation_deg = -12.345;
+    modes.zero = {-123.4567, -123.4567, -12'345.678, -123.4567};
+    modes.end = {-40.0, -40.0, -12'345.678, -10.0};
+    write_record(segment_->header().program.modes, modes);
+    ASSERT_TRUE(comes_true([&] {
+        ++status.heartbeat;
+        write_record(segment_->header().status, status);
+        window_->refresh();
+        return machine_view().runs_program();
+    }));
+    ASSERT_NO_FATAL_FAILURE(expect_fit("modes"));
 }
 
 }  // namespace

@@ -131,6 +131,29 @@ TEST_F(ProgramPageOf, RunsAProgramToItsEndAndFollowsItsLine) {
     EXPECT_TRUE(comes_true([&] { return button("program_start").isEnabled(); }));
 }
 
+TEST_F(ProgramPageOf, SaysWhatHoldsWhereTheMachineIs) {
+    ASSERT_NO_FATAL_FAILURE(have_homed_window());
+    show_page("program_page");
+    ASSERT_TRUE(
+        opens("G21 G90 F300 G10 L2 P2 X30 Y4\nG0 X40 Z41 Y5\nG55 G91 G1 X-1\nM0\nG54 G90 G0 X45\nM2\n"));
+    window_->refresh();
+    EXPECT_TRUE(text_of("program_facts").contains("Begins in G54 at the machine's zero."))
+        << text_of("program_facts").toStdString();
+    EXPECT_FALSE(part<QLabel>("program_modes").isVisible());
+    ASSERT_TRUE(click("program_start"));
+    ASSERT_TRUE(holds_in_line(4, ProgramHold::program));
+    EXPECT_TRUE(comes_true([&] {
+        return text_of("program_modes") ==
+               "G1 G17 G21 G91 G94 G55 G64 G40 G49 G99 G91.1 G13.1 M5 M9 M48   F 300  S 0  T 0\n"
+               "Zero of G55: R1 30.000 · R2 0.000 · Y 4.000 mm · Ψ 0.000°\n"
+               "To go: R1 0.000 · R2 0.000 · Y 0.000 mm · Ψ 0.000° · queue: 0 of 8192";
+    })) << text_of("program_modes").toStdString();
+    EXPECT_FALSE(text_of("program_facts").contains("Begins in"));
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(is_over(true));
+    EXPECT_FALSE(part<QLabel>("program_modes").isVisible());
+}
+
 TEST_F(ProgramPageOf, LeavesAProgramRunningWhenTheWindowIsClosed) {
     ASSERT_NO_FATAL_FAILURE(have_homed_window());
     ASSERT_TRUE(opens("G21 G90 F300\nG0 X40 Z41 Y5\nM0\nG1 Y7\nM2\n"));

@@ -194,6 +194,29 @@ TEST(RecordProgram, HaltsAfterEachBlockOneAtATime) {
     EXPECT_EQ(halted, (std::vector<std::uint64_t>{2, 3, 4}));
 }
 
+// It stands where homing has the position of a latch.
+TEST(RecordProgram, GivesEachBlockItsRecordAndNoneThatLatchesOrDefines) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        Script script = random_program(seed, kStartPulses, 300);
+        script.steps.pop_back();
+        script.spindle(true).dwell(0.1).stop();
+        for (const bool is_single : {false, true}) {
+            for (const Supply how : {Supply::ended, Supply::lost}) {
+                std::uint64_t before = 0;
+                for (const MotionBlock& block : program_blocks(script.steps, is_single, {}, how)) {
+                    ASSERT_EQ(program_sequence(block), program_line(block) + test::kBeforeScript);
+                    ASSERT_GE(program_sequence(block), before);
+                    before = program_sequence(block);
+                    ASSERT_EQ(block.latch, cycle::Latch::none);
+                    ASSERT_EQ(block.until, cycle::Until::none);
+                    ASSERT_NE(block.kind, BlockKind::define);
+                }
+                EXPECT_GT(before, test::kBeforeScript);
+            }
+        }
+    }
+}
+
 TEST(RecordProgram, RunsAllThatItHasBeforeALossOrARefusal) {
     Script script{kStartPulses};
     script.way({30, 0, 0, 0}, 0.01).way({30, 0, 0, 0}, 0.01);

@@ -42,6 +42,9 @@ private:
     Supply at_the_end_;
 };
 
+/// Sequences of records are no lines.
+inline constexpr std::uint64_t kBeforeScript = 7'000'000'000;
+
 /// Writes a program's steps, each in a line of its own.
 class Script {
 public:
@@ -82,6 +85,7 @@ private:
         ProgramStep& step = steps.emplace_back();
         step.kind = kind;
         step.line = steps.size();
+        step.sequence = steps.size() + kBeforeScript;
         step.ends_block = true;
         return step;
     }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "hmi/gcode/active_modes.hpp"
+#include "hmi/gcode/axis_letters.hpp"
+#include "shared/machine/program_modes.hpp"
+#include "shared/profile/profile.hpp"
+#include "shared/program/motion_record.hpp"
+
+namespace psicarve::gcode {
+
+/// What held for each record between the one that is read and the one that the machine is at. One thread
+/// reads the program and notes, another looks up where the machine is; neither waits for the other longer
+/// than for a note. Bounded: where a program has more in between, the oldest is forgotten, and not known
+/// then.
+///
+///     ways    | first..last, end | first..last, end | ...      records of one way: an arc's chords
+///     changes | from            | from                         what holds, where it changed alone
+///             machine                        program read
+class ModesTrail {
+public:
+    /// `start`: where the machine stands, machine coordinates. `most_ways`: how many are kept.
+    ModesTrail(const GcodeProfile& letters, const Position& start, std::size_t most_ways) noexcept;
+
+    // Who reads:
+    /// What holds for the next way.
+    void set_modes(const ActiveModes& modes) noexcept;
+    /// Records from here on are of another way: they may come late, but for one not behind the next call.
+    void begin_way(std::uint64_t first_sequence) noexcept;
+    /// Before it can be carried out.
+    void note(const MotionRecord& record);
+
+    // Who looks:
+    /// Of the way that this record is of; 0: in front of all. Without program; `sequence` is its last record
+    /// so far. What comes before is forgotten. Nothing: it is not known.
+    std::optional<ProgramModes> at(std::uint64_t sequence);
+    std::size_t way_count() const;
+
+private:
+    struct Mark {
+        std::uint64_t first = 0;
+        ActiveModes modes;
+    };
+    struct Way {
+        std::uint64_t first;
+        std::uint64_t last;
+        std::uint64_t line;
+        std::array<double, kAxisCount> end;
+    };
+    struct Change {
+        std::uint64_t first;
+        ActiveModes modes;
+    };
+
+    void add_way(const MotionRecord& record, const ActiveModes& modes);
+    ProgramModes shown(const Change& change, const Way& way) const noexcept;
+
+    AxisLetters letters_;
+    std::size_t most_ways_;
+    // Of the thread that reads:
+    ActiveModes modes_;
+    std::optional<ActiveModes> first_modes_;
+    std::array<Mark, 2> marks_;  ///< the last two, the newer one first
+
+    mutable std::mutex mutex_;  ///< for what follows
+    std::array<double, kAxisCount> place_{};
+    std::deque<Way> ways_;
+    std::deque<Change> changes_;
+};
+
+}  // namespace psicarve::gcode

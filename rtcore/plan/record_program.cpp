@@ -53,11 +53,12 @@ MachineLimits program_limits(MachineLimits limits) {
 }  // namespace
 
 RecordProgram::RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
-                             const Pulses4& start_pulses, bool is_single)
+                             const Pulses4& start_pulses, bool is_single, std::size_t part_points)
     : machine_(limits),
       limits_(program_limits(limits)),
       source_(std::move(source)),
       is_single_(is_single),
+      part_points_(part_points),
       speeds_(limits_, curve_accel(limits_)) {
     points_.push_back({start_pulses, 0, 0, false});
     ways_.push_back({});
@@ -142,7 +143,7 @@ void RecordProgram::take_way(const ProgramStep& step) {
     const bool halts = is_single_ && step.ends_block;
     if (is_exact || halts) {
         come_to_rest();
-    } else if (points_.size() > begin_ + kPartPoints + kTailPoints) {
+    } else if (points_.size() > begin_ + part_points_ + kTailPoints) {
         go_ahead();
     }
     if (halts) halt(ProgramHold::single, step.line);

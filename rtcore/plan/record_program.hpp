@@ -39,9 +39,10 @@ public:
     /// How the path goes on so many points later does not bend it.
     static constexpr std::size_t kTailPoints = 32;
 
-    /// `is_single`: a halt after each block of the program.
+    /// `is_single`: a halt after each block of the program. `part_points`: other than kPartPoints for a
+    /// yardstick alone; with more than a program has, the ways between two rests are planned at once.
     RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
-                  const Pulses4& start_pulses, bool is_single = false);
+                  const Pulses4& start_pulses, bool is_single = false, std::size_t part_points = kPartPoints);
 
     bool next(cycle::MotionBlock& block) override;
     bool is_waiting() const override { return is_waiting_; }
@@ -84,6 +85,7 @@ private:
     MachineLimits limits_;   ///< for the window at hand
     std::shared_ptr<StepSource> source_;
     bool is_single_;
+    std::size_t part_points_;
     bool is_waiting_ = false;
     bool is_ended_ = false;
     std::uint64_t line_ = 0;  ///< of the step taken last

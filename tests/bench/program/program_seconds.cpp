@@ -3,9 +3,9 @@
 //
 // usage: program_seconds FILE [PROFILE]
 //
-// Prints: seconds from its last dwell on | rests on that way | seconds in all, dwells too | T_ref, the same
-// where all ways between two rests are planned at once, with no horizon that recedes. A planned program takes
-// the first and the third of them to a tick for each rest.
+// Prints, from its last dwell on: seconds | rests on the way | T_ref, the seconds where all ways between two
+// rests are planned at once, with no horizon that recedes. A planned program takes the first to a tick for
+// each rest.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -76,31 +76,26 @@ plan::Pulses4 reference_pulses(const Profile& profile) {
 constexpr std::size_t kAtOnce = std::size_t{1} << 40U;  // more points than any program has
 
 struct Planned {
-    double ways_s = 0.0;  ///< behind the last dwell
-    int rests = -1;       ///< there; its end is none
-    double all_s = 0.0;
+    double seconds = 0.0;
+    int rests = -1;  ///< its end is none
 };
 
 Planned planned_in(const Profile& profile, const std::shared_ptr<StepList>& steps, const plan::Pulses4& start,
                    std::size_t part_points) {
-    const plan::MachineLimits limits = plan::machine_limits(profile);
-    plan::RecordProgram program(limits, steps, start, false, part_points);
+    plan::RecordProgram program(plan::machine_limits(profile), steps, start, false, part_points);
     Planned planned;
     cycle::MotionBlock block;
     while (program.next(block) || program.is_waiting()) {
         if (program.is_waiting()) continue;
         if (block.kind == cycle::BlockKind::dwell) {
-            planned.ways_s = 0.0;
+            planned.seconds = 0.0;
             planned.rests = -1;
-            planned.all_s += static_cast<double>(block.ticks) * limits.tick_seconds();
         }
         if (block.kind != cycle::BlockKind::path) continue;
-        const double seconds = 2.0 * block.path.length /
-                               (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
+        planned.seconds += 2.0 * block.path.length /
+                           (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
         const bool is_from_rest = block.group_blocks > 0 && (block.joints & cycle::kCarriesOn) == 0;
         planned.rests += is_from_rest ? 1 : 0;
-        planned.ways_s += seconds;
-        planned.all_s += seconds;
     }
     return planned;
 }
@@ -123,7 +118,7 @@ int tell(const std::string& path, const Profile& profile) {
     const Planned planned = planned_in(profile, steps, start, plan::RecordProgram::kPartPoints);
     steps->rewind();
     const Planned at_once = planned_in(profile, steps, start, kAtOnce);
-    std::printf("%.4f %d %.4f %.4f\n", planned.ways_s, planned.rests, planned.all_s, at_once.all_s);
+    std::printf("%.4f %d %.4f\n", planned.seconds, planned.rests, at_once.seconds);
     return 0;
 }
 

@@ -57,6 +57,7 @@ private:
     bool make_blocks();
     void take(const ProgramStep& step);
     void take_way(const ProgramStep& step);
+    void take_very_long_way(const ProgramStep& step);
     void add_way(const ProgramStep& step);
     void come_to_rest();
     void go_ahead();

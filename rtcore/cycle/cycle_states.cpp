@@ -101,7 +101,7 @@ void Cycle::go_on_with_motion() noexcept {
     }
     const Motion::Progress progress = motion_.step(clock_.tick());
     if (progress != Executor::kNothing) after_step(progress);
-    if (carves_program()) watch_supply();
+    if (carves_program() && (motion_.has_run_out() || !program_.is_supplied())) watch_supply();
 }
 
 void Cycle::end_move(MoveEnd end) noexcept {

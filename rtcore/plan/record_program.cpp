@@ -26,11 +26,20 @@ constexpr double kRampParts = 4.0;
 constexpr double kRampsApart = 1.25;
 // Whole numbers of a longer line would not fit.
 constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
+// Of a way that takes longer at full speed, as turns of psi may, cuts to a quarter of a pulse would be
+// without number: it is gone by itself, straight and from rest to rest.
+constexpr double kLongestCurved_s = 300.0;
 // More than a window of ways can have.
 constexpr int kMostStepsAtOnce = 4096;
 // More would be no tolerance of this machine's any more; less is exact to the pulse.
 constexpr double kMostTolerances = 1000.0;
 constexpr double kLeastTolerance = 0.001;
+
+std::int64_t longest_pulses(const Pulses4& from, const Pulses4& to) {
+    std::int64_t longest = 0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) longest = std::max(longest, std::abs(to[k] - from[k]));
+    return longest;
+}
 
 double seconds_along(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
     double length2 = 0.0;
@@ -39,6 +48,10 @@ double seconds_along(const MachineLimits& limits, const Pulses4& from, const Pul
         length2 += seconds * seconds;
     }
     return std::sqrt(length2);
+}
+
+bool is_very_long(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
+    return longest_pulses(from, to) > kLongestWayPulses || seconds_along(limits, from, to) > kLongestCurved_s;
 }
 
 // A rest may be left any way at once: what was jumped to it and what is jumped from it are not more than one
@@ -53,11 +66,12 @@ MachineLimits program_limits(MachineLimits limits) {
 }  // namespace
 
 RecordProgram::RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
-                             const Pulses4& start_pulses, bool is_single)
+                             const Pulses4& start_pulses, bool is_single, std::size_t part_points)
     : machine_(limits),
       limits_(program_limits(limits)),
       source_(std::move(source)),
       is_single_(is_single),
+      part_points_(part_points),
       speeds_(limits_, curve_accel(limits_)) {
     points_.push_back({start_pulses, 0, 0, false});
     ways_.push_back({});
@@ -134,6 +148,11 @@ void RecordProgram::take(const ProgramStep& step) {
 }
 
 void RecordProgram::take_way(const ProgramStep& step) {
+    if (is_very_long(limits_, points_.back().pulses, step.target_pulses)) {
+        take_very_long_way(step);
+        if (is_single_ && step.ends_block) halt(ProgramHold::single, step.line);
+        return;
+    }
     const bool is_exact = step.tolerance_mm <= 0.0;
     // An exact way has no tube of the ways before it.
     const double before_mm = tolerance_mm_;
@@ -143,10 +162,27 @@ void RecordProgram::take_way(const ProgramStep& step) {
     const bool halts = is_single_ && step.ends_block;
     if (is_exact || halts) {
         come_to_rest();
-    } else if (points_.size() > begin_ + kPartPoints + kTailPoints) {
+    } else if (points_.size() > begin_ + part_points_ + kTailPoints) {
         go_ahead();
     }
     if (halts) halt(ProgramHold::single, step.line);
+}
+
+void RecordProgram::take_very_long_way(const ProgramStep& step) {
+    come_to_rest();
+    const Pulses4 from = points_.back().pulses;
+    const std::int64_t parts = longest_pulses(from, step.target_pulses) / kLongestWayPulses + 1;
+    for (std::int64_t part = 1; part <= parts; ++part) {
+        ProgramStep to = step;
+        const double share = static_cast<double>(part) / static_cast<double>(parts);
+        to.seconds = step.seconds / static_cast<double>(parts);
+        to.tolerance_mm = 0.0;
+        for (std::size_t k = 0; k < kAxisCount && part < parts; ++k)
+            to.target_pulses[k] =
+                from[k] + round_to_pulse(share * static_cast<double>(step.target_pulses[k] - from[k]));
+        add_way(to);
+        come_to_rest();
+    }
 }
 
 // Near its ends a long way gets points of its own, on the chord to half a pulse.
@@ -154,15 +190,10 @@ void RecordProgram::add_way(const ProgramStep& step) {
     const Pulses4 from = points_.back().pulses;
     const std::size_t first = points_.size();
     Lanes way;
-    double longest_pulses = 0.0;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
+    for (std::size_t k = 0; k < kAxisCount; ++k)
         way[k] = static_cast<double>(step.target_pulses[k] - from[k]);
-        longest_pulses = std::max(longest_pulses, std::abs(way[k]));
-    }
     const double length = seconds_along(limits_, from, step.target_pulses);
     std::vector<double> shares;
-    const auto parts = static_cast<int>(std::ceil(longest_pulses / static_cast<double>(kLongestWayPulses)));
-    for (int part = 1; part < parts; ++part) shares.push_back(static_cast<double>(part) / parts);
     if (step.tolerance_mm > 0.0 && length > kLongWay_s) {
         Lanes slope;
         for (std::size_t k = 0; k < kAxisCount; ++k) slope[k] = way[k] / length;

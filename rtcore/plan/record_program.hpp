@@ -39,9 +39,10 @@ public:
     /// How the path goes on so many points later does not bend it.
     static constexpr std::size_t kTailPoints = 32;
 
-    /// `is_single`: a halt after each block of the program.
+    /// `is_single`: a halt after each block of the program. `part_points`: other than kPartPoints for a
+    /// yardstick alone; with more than a program has, the ways between two rests are planned at once.
     RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
-                  const Pulses4& start_pulses, bool is_single = false);
+                  const Pulses4& start_pulses, bool is_single = false, std::size_t part_points = kPartPoints);
 
     bool next(cycle::MotionBlock& block) override;
     bool is_waiting() const override { return is_waiting_; }
@@ -56,6 +57,7 @@ private:
     bool make_blocks();
     void take(const ProgramStep& step);
     void take_way(const ProgramStep& step);
+    void take_very_long_way(const ProgramStep& step);
     void add_way(const ProgramStep& step);
     void come_to_rest();
     void go_ahead();
@@ -84,6 +86,7 @@ private:
     MachineLimits limits_;   ///< for the window at hand
     std::shared_ptr<StepSource> source_;
     bool is_single_;
+    std::size_t part_points_;
     bool is_waiting_ = false;
     bool is_ended_ = false;
     std::uint64_t line_ = 0;      ///< of the step taken last

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writers that are killed or stopped while a real core runs their program, and words of the ring that are
 // overwritten meanwhile: the machine stays on the program's way, and comes to rest on it.
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/program_proof_rig.hpp"
@@ -38,6 +41,24 @@ protected:
                          std::abs(at[index_of(Axis::psi)] % 6'400 - psi)});
     }
     std::uint64_t records_taken() const { return program_report(*segment_view_).progress.taken; }
+    /// The last record that a writer put whole, as the ring itself has it; the writer is dead.
+    MotionRecord last_put() {
+        const RecordRing ring = segment_view_->record_ring();
+        const std::uint64_t last = ring.ends->written.load() - 1;
+        std::array<std::uint64_t, sizeof(MotionRecord) / sizeof(std::uint64_t)> words{};
+        for (std::size_t i = 0; i < words.size(); ++i)
+            words[i] = ring.records[last % ring.capacity].words[i].load();
+        MotionRecord record{};
+        std::memcpy(static_cast<void*>(&record), words.data(), sizeof record);
+        return record;
+    }
+    /// R1 of each record that waits: 20 to 30 mm, whose number has a bit that is a millimetre.
+    void move_queued_r1_by_a_millimetre() {
+        const RecordRing ring = segment_view_->record_ring();
+        for (std::uint64_t i = 0; i < ring.capacity; ++i)
+            ring.records[i].words[offsetof(MotionRecord, target) / sizeof(std::uint64_t)].fetch_xor(
+                std::uint64_t{1} << 48U);
+    }
     bool rests_in_program() {
         return eventually([&] {
             EXPECT_LE(off_way_pulses(status()), 2);
@@ -72,6 +93,8 @@ TEST_F(WriterDeath, AtAnyInstantLeavesTheMachineAtTheLastRecordThatItPut) {
         EXPECT_EQ(program_status().hold, ProgramHold::feeder_lost) << death;
         const std::uint64_t taken = records_taken();
         EXPECT_TRUE(death > 0 || taken > kManyRecords);
+        EXPECT_EQ(last_put().program, program_status().program) << death;
+        EXPECT_EQ(taken, last_put().sequence) << "what it put is run, " << death;
         const CoreStatus now = status();
         EXPECT_EQ(now.position_pulses[0], 8'000 + static_cast<std::int64_t>(taken % 4'000)) << death;
         EXPECT_EQ(off_way_pulses(now), 0) << death;
@@ -96,7 +119,11 @@ TEST_F(WriterDeath, IsNotWorseThanARingThatIsOverwritten) {
         ASSERT_TRUE(eventually([&] { return program_report(*segment_view_).running != 0; }));
         ASSERT_TRUE(run_numbered(program_report(*segment_view_).running));
         ASSERT_TRUE(eventually([&] { return program_status().line > 1; }));
-        for (int i = 0; i < kMutationsInARound; ++i) {
+        // A place that the machine could go to, a millimetre beside the way, is one that its check alone
+        // tells.
+        const bool is_beside = round % 3 == 2;
+        if (is_beside) move_queued_r1_by_a_millimetre();
+        for (int i = 0; i < kMutationsInARound && !is_beside; ++i) {
             const RecordRing ring = segment_view_->record_ring();
             auto* bytes = reinterpret_cast<unsigned char*>(ring.records);
             std::size_t most = ring.capacity * sizeof(RingRecord);
@@ -112,6 +139,7 @@ TEST_F(WriterDeath, IsNotWorseThanARingThatIsOverwritten) {
         ASSERT_TRUE(rests_in_program()) << round;
         const ProgramHold hold = program_status().hold;
         EXPECT_TRUE(hold == ProgramHold::refused || hold == ProgramHold::feeder_lost) << round;
+        EXPECT_TRUE(!is_beside || hold == ProgramHold::refused) << round;
         refused += hold == ProgramHold::refused ? 1 : 0;
         EXPECT_EQ(off_way_pulses(status()), 0) << round;
         request_stop(*segment_view_);

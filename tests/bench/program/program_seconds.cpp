@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long the ways of a program in G-code take, as planned, from its last dwell on.
+// How long a program in G-code takes, as planned, in continuous time.
 //
 // usage: program_seconds FILE [PROFILE]
 //
-// Prints the seconds, and how often the machine rests on the way. A planned program takes that long to a
-// tick.
+// Prints, from its last dwell on: seconds | rests on the way | T_ref, the seconds where all ways between two
+// rests are planned at once, with no horizon that recedes. A planned program takes the first to a tick for
+// each rest.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -42,6 +43,7 @@ public:
         step = steps_[next_++];
         return plan::Supply::step;
     }
+    void rewind() { next_ = 0; }
 
 private:
     program::RecordRules rules_;
@@ -71,6 +73,33 @@ plan::Pulses4 reference_pulses(const Profile& profile) {
     return pulses;
 }
 
+constexpr std::size_t kAtOnce = std::size_t{1} << 40U;  // more points than any program has
+
+struct Planned {
+    double seconds = 0.0;
+    int rests = -1;  ///< its end is none
+};
+
+Planned planned_in(const Profile& profile, const std::shared_ptr<StepList>& steps, const plan::Pulses4& start,
+                   std::size_t part_points) {
+    plan::RecordProgram program(plan::machine_limits(profile), steps, start, false, part_points);
+    Planned planned;
+    cycle::MotionBlock block;
+    while (program.next(block) || program.is_waiting()) {
+        if (program.is_waiting()) continue;
+        if (block.kind == cycle::BlockKind::dwell) {
+            planned.seconds = 0.0;
+            planned.rests = -1;
+        }
+        if (block.kind != cycle::BlockKind::path) continue;
+        planned.seconds += 2.0 * block.path.length /
+                           (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
+        const bool is_from_rest = block.group_blocks > 0 && (block.joints & cycle::kCarriesOn) == 0;
+        planned.rests += is_from_rest ? 1 : 0;
+    }
+    return planned;
+}
+
 int tell(const std::string& path, const Profile& profile) {
     const plan::Pulses4 start = reference_pulses(profile);
     const auto steps = std::make_shared<StepList>(profile, start);
@@ -86,21 +115,10 @@ int tell(const std::string& path, const Profile& profile) {
                      finished ? "see psicarve gcode check" : finished.error().message.c_str());
         return 3;
     }
-    plan::RecordProgram program(plan::machine_limits(profile), steps, start);
-    double seconds = 0.0;
-    int rests = -1;  // its end is none
-    cycle::MotionBlock block;
-    while (program.next(block)) {
-        if (block.kind == cycle::BlockKind::dwell) {
-            seconds = 0.0;
-            rests = -1;
-        }
-        if (block.kind != cycle::BlockKind::path) continue;
-        rests += block.group_blocks > 0 ? 1 : 0;
-        seconds += 2.0 * block.path.length /
-                   (std::sqrt(block.path.start_speed2[0]) + std::sqrt(block.path.end_speed2[0]));
-    }
-    std::printf("%.4f %d\n", seconds, rests);
+    const Planned planned = planned_in(profile, steps, start, plan::RecordProgram::kPartPoints);
+    steps->rewind();
+    const Planned at_once = planned_in(profile, steps, start, kAtOnce);
+    std::printf("%.4f %d %.4f\n", planned.seconds, planned.rests, at_once.seconds);
     return 0;
 }
 

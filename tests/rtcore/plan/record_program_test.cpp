@@ -267,5 +267,29 @@ TEST(RecordProgram, RestsAtTheEndOfAWayWithoutAPulse) {
     EXPECT_EQ(runs, 2);
 }
 
+// What a wrong record may ask for: millions of turns of psi, there and back, amid short ways. Curved, it
+// would be cut without end.
+TEST(RecordProgram, GoesAWayOfMillionsOfTurnsStraightAndInFewBlocks) {
+    Script script{kStartPulses};
+    for (int i = 0; i < 100; ++i) {
+        const bool is_long = i % 10 == 5;
+        const std::int64_t turned = i % 20 == 5 ? 60'000'000'000 : -60'000'000'000;
+        script.way({15 + i % 7, -12, is_long ? turned : 21, 9}, 0.01);
+    }
+    script.end();
+    const std::vector<MotionBlock> blocks = program_blocks(script.steps);
+    EXPECT_LT(blocks.size(), 5'000U);
+    Pulses4 at = kStartPulses;
+    for (const MotionBlock& block : blocks) {
+        std::int64_t longest = 0;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            at[k] += block.delta_pulses[k];
+            longest = std::max(longest, std::abs(block.delta_pulses[k]));
+        }
+        EXPECT_LE(longest, std::int64_t{1} << 30);
+    }
+    EXPECT_EQ(at, script.at());
+}
+
 }  // namespace
 }  // namespace psicarve::plan

@@ -381,13 +381,14 @@ TEST(RecordRulesSweep, NoPulseOfAGoodArcBreaksALimit) {
     for (int round = 0; round < 6'000; ++round) {
         Profile profile;
         profile.r1.pulses_per_mm = profile.r2.pulses_per_mm = profile.y.pulses_per_mm = 20.0;
-        profile.head_clearance_mm = between(80.0, 99.0);
+        profile.head_clearance_mm = between(52.0, 80.0);
         const cycle::SoftLimits limits = plan::cycle_config_from_profile(profile).soft_limits;
         const RecordRules rules{profile};
         const std::size_t head = random() % 2;
         Pulses4 at{1000, 1000, 0, 1000};
         at[head] = pulses_from_mm(between(2.0, 60.0), 20.0);
         at[kYAt] = pulses_from_mm(between(0.0, 150.0), 20.0);
+        if (static_cast<double>(at[0] + at[1]) / 20.0 < limits.least_sum_mm) continue;
         const double radius_mm = between(0.05, 30.0);
         const double begin_rad = between(-kPi, kPi);
         const double end_rad = random() % 4 == 0 ? begin_rad : between(-kPi, kPi);

@@ -106,8 +106,7 @@ std::optional<SteppedArc> SteppedWays::arc(const CanonRecord& record) const noex
     const PulsePoint to = point(record.end[plane.first], record.end[plane.second]);
     const PulsePoint centre = point(record.centre_first_mm, record.centre_second_mm);
     const int turns = is_y_first ? -record.turns : record.turns;
-    const double signed_rad =
-        sweep_rad({from[0], from[1]}, {to[0], to[1]}, {centre[0], centre[1]}, turns);
+    const double signed_rad = sweep_rad({from[0], from[1]}, {to[0], to[1]}, {centre[0], centre[1]}, turns);
     const double radius = apart(from, centre);
     if (radius < kLeastRadiusPulses || radius > kMostRadiusPulses) return {};
     found.is_counterclockwise = signed_rad > 0.0;

@@ -21,8 +21,8 @@ struct SteppedArc {
     double sweep_rad = 0.0;  ///< all of it, > 0
 };
 
-/// Which ways of a program run by point-by-point comparison, where the profile says so: with a feed, not drawn
-/// in the cross-section or on the unrolled cylinder, and of one head, of Y, or of both.
+/// Which ways of a program run by point-by-point comparison, where the profile says so: with a feed, not
+/// drawn in the cross-section or on the unrolled cylinder, and of one head, of Y, or of both.
 class SteppedWays {
 public:
     explicit SteppedWays(const Profile& profile) noexcept;

@@ -156,7 +156,8 @@ bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at)
     if (way.demand.is_exact) return note_rest(way, time_ns, at);
     if (!way.is_on || !has_come(way)) return false;
     for (std::size_t head = 0; head < kHeadCount; ++head)
-        if (way.demand.way.from_end_mm(head, at, way.demand.slack_pulses) > tolerance_of(way).mm) return false;
+        if (way.demand.way.from_end_mm(head, at, way.demand.slack_pulses) > tolerance_of(way).mm)
+            return false;
     way.ended_ns = time_ns;
     return true;
 }

@@ -69,9 +69,9 @@ TEST(SteppedRecords, OfAnArcAreOneForEachTurn) {
 }
 
 TEST(SteppedRecords, LeaveChordsWhereAnArcIsMoreThanOneHeadsAndYs) {
-    const auto made =
-        stepwise_records("G17 G3 X45 Y45 I-5 J0 Z49\nG3 X40 Y40 J-5 C20\nG2 X40.01 Y40.01 I.01 J0\n"
-                         "G7.1 C38\nG1 Y42\nG7.1 C0\n");
+    const auto made = stepwise_records(
+        "G17 G3 X45 Y45 I-5 J0 Z49\nG3 X40 Y40 J-5 C20\nG2 X40.01 Y40.01 I.01 J0\n"
+        "G7.1 C38\nG1 Y42\nG7.1 C0\n");
     for (const MotionRecord& record : made.records) {
         EXPECT_NE(record.kind, MotionKind::arc) << record.line;
         EXPECT_EQ(record.flags & kIsStepped, 0) << record.line;
@@ -117,9 +117,8 @@ TEST(SteppedRecords, OfAnyArcHaveEndsAlikeFarFromACentreNearItsOwn) {
         if (!arc) continue;
         ++stepped;
         const auto from_centre = [&](const Position& at) {
-            return std::hypot(
-                static_cast<double>(round_to_pulse(at[0] * scale)) - arc->centre_mm[0] * scale,
-                static_cast<double>(round_to_pulse(at[1] * scale)) - arc->centre_mm[1] * scale);
+            return std::hypot(static_cast<double>(round_to_pulse(at[0] * scale)) - arc->centre_mm[0] * scale,
+                              static_cast<double>(round_to_pulse(at[1] * scale)) - arc->centre_mm[1] * scale);
         };
         EXPECT_LE(std::abs(from_centre(record.start) - from_centre(record.end)), 1.0) << round;
         EXPECT_LE(std::abs(arc->centre_mm[0] - record.centre_first_mm) * scale, 1.5 + 1e-9) << round;

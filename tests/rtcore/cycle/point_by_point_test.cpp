@@ -148,9 +148,9 @@ TEST(PointByPoint, AnArcWhoseEndIsOffTheCircleByAPulseEndsThereAllTheSame) {
                 for (; !sut.is_finished() && steps < 20 * kMost; ++steps) {
                     sut.next();
                     const Point at = sut.at();
-                    off = std::max(off, std::abs(std::hypot(static_cast<double>(at.x),
-                                                            static_cast<double>(at.y)) -
-                                                 radius));
+                    off = std::max(
+                        off,
+                        std::abs(std::hypot(static_cast<double>(at.x), static_cast<double>(at.y)) - radius));
                 }
                 ASSERT_EQ(sut.at(), end) << begin.x << ", " << begin.y << " to " << end.x << ", " << end.y;
                 ASSERT_LE(off, 1.0 + 1e-9) << begin.x << ", " << begin.y << " to " << end.x << ", " << end.y;

@@ -62,7 +62,8 @@ void expect_steps(const std::vector<MotionBlock>& blocks, PointByPoint way) {
         const int sign = block.delta_pulses[k] > 0 ? 1 : -1;
         for (std::int64_t n = std::abs(block.delta_pulses[k]); n > 0; --n) {
             ASSERT_FALSE(way.is_finished());
-            const PointByPoint::Step wanted = k == 0 ? PointByPoint::Step{sign, 0} : PointByPoint::Step{0, sign};
+            const PointByPoint::Step wanted =
+                k == 0 ? PointByPoint::Step{sign, 0} : PointByPoint::Step{0, sign};
             ASSERT_EQ(way.next(), wanted);
         }
     }
@@ -75,12 +76,10 @@ struct MixedSteps {
     Pulses4 second{6100, 6200, 130, 2900};
     Pulses4 third{6000, 6200, 130, 3000};
     Pulses4 last{6020, 6250, 150, 3050};
-    std::vector<ProgramStep> steps{plain_step(1, MotionKind::way, first),
-                                   stepped_line(2, second),
-                                   stepped_arc(3, third, {6000, 2900}),
-                                   stepped_arc(4, third, {6000, 2950}),
-                                   plain_step(5, MotionKind::way, last),
-                                   plain_step(6, MotionKind::end, last)};
+    std::vector<ProgramStep> steps{
+        plain_step(1, MotionKind::way, first), stepped_line(2, second),
+        stepped_arc(3, third, {6000, 2900}),   stepped_arc(4, third, {6000, 2950}),
+        plain_step(5, MotionKind::way, last),  plain_step(6, MotionKind::end, last)};
     MixedSteps() { steps[0].tolerance_mm = steps[4].tolerance_mm = 0.02; }
 };
 

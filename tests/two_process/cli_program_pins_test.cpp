@@ -88,36 +88,6 @@ TEST_F(ProgramPins, AreSimulatedRecordedAndJudged) {
             << from << " -> " << to;
 }
 
-// Lines, arcs of both heads, a whole circle, several turns, a helix that stays chords.
-constexpr const char* kStepped =
-    "G21 G90 G94 F600\nM3\nG0 X50 Z50 Y40 C0\nG1 X48 Y41\nG17 G3 X46.003 Y43.003 I-2 J0\nG2 J1 P2\n"
-    "G19 G2 Y45.003 Z48 J2 K0\nG4 P0.05\nG1 Z47.5\nG1 Y44 Z47 C20\nG17 G3 X45 Y45 I-1 J0 Z47.5\nG64 P.05\n"
-    "G1 X44.5\nG0 X50\nM5\nM2\n";
-
-TEST_F(ProgramPins, StepByStepAreSimulatedRecordedAndJudged) {
-    Profile profile;
-    profile.gcode.is_stepwise = true;
-    write("stepwise.toml", profile_to_toml(profile));
-    const std::string path = program("stepped.ngc", kStepped);
-    const Outcome done = run({"gcode", "run", path, "--simulate", "--trace", file("pins.trace"), "--json",
-                              "--profile", file("stepwise.toml")});
-    ASSERT_EQ(done.exit_code, 0) << done.error;
-    EXPECT_EQ(done.json()["verification"]["verified"], true) << done.out;
-    EXPECT_EQ(done.json()["starvations"], 0) << done.out;
-    const auto judged = [&](const std::string& text) {
-        return psicarve({"verify", file("pins.trace"), "--program", program("other.ngc", text), "--profile",
-                         file("stepwise.toml")})
-            .exit_code;
-    };
-    EXPECT_EQ(judged(kStepped), 0);
-    const std::vector<std::array<std::string, 2>> changes{{"I-2 J0", "I0 J2"},
-                                                          {"G2 J1 P2", "G2 J1 P1"},
-                                                          {"G2 J1 P2", "G3 J1 P2"},
-                                                          {"X48 Y41", "X48.01 Y41"},
-                                                          {"F600", "F60"}};
-    for (const auto& [from, to] : changes) EXPECT_EQ(judged(changed(kStepped, from, to)), 6) << from << to;
-}
-
 // A square with a round corner in the cross-section, a circle and a slanted line on the cylinder.
 constexpr const char* kDrawn =
     "G21 G90 F900\nG0 X45 Z55 Y40 C0\nM3\nG12.1\nG1 X30\nG1 C25\nG3 X25 C30 I-5 J0\nG1 X-30\nC-30\nG61\n"

@@ -55,10 +55,10 @@ protected:
     RecordRulesOfSteps() {
         const double scale = profile_.y.pulses_per_mm;
         profile_.r1.pulses_per_mm = profile_.r2.pulses_per_mm = scale;
-        at_ = {
-            pulses_from_mm(40.0, scale), pulses_from_mm(45.0, scale), 0,
-            pulses_from_mm(50.0, scale) MessageId judge(const MotionRecord& record){
-                const Message said = RecordRules{profile_}.judge(record, at_, step_);
+        at_ = {pulses_from_mm(40.0, scale), pulses_from_mm(45.0, scale), 0, pulses_from_mm(50.0, scale)};
+    }
+    MessageId judge(const MotionRecord& record) {
+        const Message said = RecordRules{profile_}.judge(record, at_, step_);
         if (!said.is_none()) {
             EXPECT_EQ(said.arguments[0].bits, record.line) << "the line comes first";
         }
@@ -73,8 +73,6 @@ protected:
     Pulses4 at_;
     ProgramStep step_;
 };
-}  // namespace
-};  // namespace psicarve::program
 
 TEST_F(RecordRulesOfSteps, AnArcOfAHeadAndYBecomesItsPulses) {
     const double scale = profile_.y.pulses_per_mm;

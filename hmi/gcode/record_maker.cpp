@@ -17,13 +17,6 @@ double furthest_out_mm(const Profile& profile, Axis head) {
     return mm_from_pulses(motion.travel_max_pulses, motion.pulses_per_unit);
 }
 
-AxisMask changed_letters(const CanonRecord& record) noexcept {
-    AxisMask changed = static_cast<AxisMask>(record.placed & ~record.start_placed);
-    for (std::size_t letter = 0; letter < kLetterCount; ++letter)
-        if (record.start[letter] != record.end[letter]) changed |= mask_of(letter);
-    return changed;
-}
-
 bool is_motion(const CanonRecord& record) noexcept {
     return record.kind == CanonKind::rapid || record.kind == CanonKind::feed || record.kind == CanonKind::arc;
 }
@@ -34,6 +27,7 @@ RecordMaker::RecordMaker(const Profile& profile, const RunOptions& options, Reco
     : options_(options),
       outlet_(options.program, sink),
       letters_(profile.gcode),
+      stepped_(profile),
       turns_shortest_(profile.gcode.turns_shortest),
       out_mm_{furthest_out_mm(profile, Axis::r1), furthest_out_mm(profile, Axis::r2)},
       own_tolerance_mm_(profile.job.path_tolerance_mm),
@@ -184,6 +178,7 @@ AxisMask RecordMaker::moving_letters() const noexcept {
 void RecordMaker::move(const CanonRecord& record) {
     const double seconds =
         record.feed_per_min > 0.0 ? record.length / record.feed_per_min * kSecondsPerMinute : 0.0;
+    if (move_by_steps(record, seconds)) return;
     // An arc that ends where it begins is a whole circle.
     if (record.kind == CanonKind::arc) return move_on_chords(record, seconds);
     AxisMask changed = changed_letters(record);
@@ -192,6 +187,47 @@ void RecordMaker::move(const CanonRecord& record) {
     if ((changed & moving_letters()) == 0) return;
     put_way(record.line, record.end, static_cast<AxisMask>(record.placed & moving_letters()), seconds,
             record.ends_within ? corner_tolerance_mm() : end_tolerance_mm(), record.kind == CanonKind::rapid);
+}
+
+/// Where the profile says so. A dry run moves y alone along what was an arc: as ever, on chords.
+bool RecordMaker::move_by_steps(const CanonRecord& record, double seconds) {
+    if (const auto arc = stepped_.arc(record); arc && !options_.is_dry) {
+        put_arcs(record, *arc, seconds);
+        return true;
+    }
+    const std::uint8_t axes = stepped_.line_axes(record, moving_letters());
+    if (axes == 0) return false;
+    MotionRecord way{};
+    way.kind = MotionKind::way;
+    way.line = record.line;
+    way.axes = axes;
+    way.flags = kIsStepped;
+    way.seconds = seconds;
+    for (const Axis axis : kAllAxes)
+        if ((axes >> index_of(axis) & 1U) != 0)
+            way.target[index_of(axis)] = record.end[letters_.letter_of(axis)];
+    outlet_.put(way);
+    return true;
+}
+
+/// A record for each turn, the one that is not whole last.
+void RecordMaker::put_arcs(const CanonRecord& record, const SteppedArc& arc, double seconds) {
+    MotionRecord turn{};
+    turn.kind = MotionKind::arc;
+    turn.line = record.line;
+    turn.axes = static_cast<std::uint8_t>(1U << index_of(arc.head) | 1U << index_of(Axis::y));
+    turn.code =
+        static_cast<std::uint8_t>(arc.is_counterclockwise ? ArcSense::counterclockwise : ArcSense::clockwise);
+    turn.centre_mm = arc.centre_mm;
+    const auto put = [&](const Position& end, double turned_rad) {
+        for (const Axis axis : {arc.head, Axis::y})
+            turn.target[index_of(axis)] = end[letters_.letter_of(axis)];
+        turn.seconds = seconds * turned_rad / arc.sweep_rad;
+        outlet_.put(turn);
+    };
+    for (int n = 0; n < arc.whole_turns && wants_more(); ++n)
+        put(arc.rest_rad > 0.0 ? record.start : record.end, 2.0 * kPi);
+    if (arc.rest_rad > 0.0 && wants_more()) put(record.end, arc.rest_rad);
 }
 
 void RecordMaker::move_on_chords(const CanonRecord& record, double seconds) {

@@ -7,6 +7,7 @@
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/record_outlet.hpp"
+#include "hmi/gcode/stepped_way.hpp"
 #include "shared/profile/profile.hpp"
 
 namespace psicarve::gcode {
@@ -48,6 +49,8 @@ private:
     bool can_move(const CanonRecord& record);
     void move(const CanonRecord& record);
     void move_on_chords(const CanonRecord& record, double seconds);
+    bool move_by_steps(const CanonRecord& record, double seconds);
+    void put_arcs(const CanonRecord& record, const SteppedArc& arc, double seconds);
     void put_way(std::uint64_t line, const Position& end, AxisMask letters, double seconds,
                  double tolerance_mm, bool is_rapid);
     void put_heads_out(std::uint64_t line);
@@ -63,6 +66,7 @@ private:
     RunOptions options_;
     RecordOutlet outlet_;
     AxisLetters letters_;
+    SteppedWays stepped_;
     bool turns_shortest_;
     std::array<double, kHeads> out_mm_;  ///< where heads are outside everything
     double own_tolerance_mm_;            ///< the profile's

@@ -111,6 +111,7 @@ std::vector<Phrase> choices() {
             phrase("machine or turning"),
             phrase("own or follow"),
             phrase("axes or surface"),
+            phrase("path or stepwise"),
             phrase("shortest or written"),
             phrase("min, max or none"),
             phrase("index or none")};

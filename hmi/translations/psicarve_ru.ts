@@ -1613,6 +1613,10 @@ F12  этот список</translation>
             <translation>Коррекция подачи: нули не найдены</translation>
         </message>
         <message>
+            <source>Feeds along a path through all points, or, of a head and Y, by point-by-point comparison.</source>
+            <translation>Подачи идут по траектории через все точки или, для одной головки и Y, методом поточечного сравнения.</translation>
+        </message>
+        <message>
             <source>File</source>
             <translation>Файл</translation>
         </message>
@@ -6571,6 +6575,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>строка %1: это заняло бы больше %2 мс; измените подачу или выдержку</translation>
         </message>
         <message>
+            <source>line %1: its ends are not as far from the arc's centre as each other; start it again</source>
+            <translation>строка %1: концы дуги не одинаково удалены от её центра; запустите заново</translation>
+        </message>
+        <message>
             <source>line %1: the core does not know what this line asks for; is it another version?</source>
             <translation>строка %1: ядро не знает, чего требует эта строка; не другая ли это версия?</translation>
         </message>
@@ -7033,6 +7041,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>passed</source>
             <translation>пройдено</translation>
+        </message>
+        <message>
+            <source>path or stepwise</source>
+            <translation>path или stepwise</translation>
         </message>
         <message>
             <source>performance</source>

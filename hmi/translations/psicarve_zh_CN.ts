@@ -1612,6 +1612,10 @@ F12  本列表</translation>
             <translation>进给倍率：机床未回零</translation>
         </message>
         <message>
+            <source>Feeds along a path through all points, or, of a head and Y, by point-by-point comparison.</source>
+            <translation>进给沿经过所有点的路径运动；或者，一个刀头和 Y 的进给按逐点比较法运动。</translation>
+        </message>
+        <message>
             <source>File</source>
             <translation>文件</translation>
         </message>
@@ -6564,6 +6568,10 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 行：耗时将超过 %2 ms；请更改进给或停留时间</translation>
         </message>
         <message>
+            <source>line %1: its ends are not as far from the arc's centre as each other; start it again</source>
+            <translation>第 %1 行：两端到圆弧圆心的距离不相等；请重新启动</translation>
+        </message>
+        <message>
             <source>line %1: the core does not know what this line asks for; is it another version?</source>
             <translation>第 %1 行：内核不认识此行的要求；是否版本不同？</translation>
         </message>
@@ -7026,6 +7034,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>passed</source>
             <translation>通过</translation>
+        </message>
+        <message>
+            <source>path or stepwise</source>
+            <translation>path 或 stepwise</translation>
         </message>
         <message>
             <source>performance</source>

@@ -67,7 +67,12 @@ bool PointByPoint::passes(int x, int y) const noexcept {
 }
 
 Step PointByPoint::directions() const noexcept {
-    return is_arc_ ? kDirections[quadrant_] : Step{1, 1};
+    if (!is_arc_) return {1, 1};
+    // An end a little off the circle may lie where the quadrant does not lead: back to it, once the other
+    // axis has arrived.
+    if (quadrants_left_ == 0 && at_.x == end_.x) return {0, end_.y < at_.y ? -1 : 1};
+    if (quadrants_left_ == 0 && at_.y == end_.y) return {end_.x < at_.x ? -1 : 1, 0};
+    return kDirections[quadrant_];
 }
 
 bool PointByPoint::leads_x() const noexcept {

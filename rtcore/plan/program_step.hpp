@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "rtcore/cycle/motion_order.hpp"
 #include "rtcore/plan/machine_limits.hpp"
 #include "shared/program/motion_record.hpp"
 
@@ -20,6 +22,10 @@ struct ProgramStep {
     Pulses4 target_pulses{};     ///< way: where all axes are after it
     double seconds = 0.0;        ///< way: the least it may take; dwell: how long
     double tolerance_mm = 0.0;   ///< way: 0: its end is reached to the pulse, at rest
+    /// By point-by-point comparison, from rest to rest: a line or an arc of these axes, bit by axis.
+    cycle::OrderShape shape = cycle::OrderShape::straight;
+    std::uint8_t stepped_axes = 0;
+    std::array<std::int64_t, 2> centre_pulses{};  ///< of an arc: its head's, y's
 };
 
 /// Which record a motion is of, and its line.

@@ -79,6 +79,8 @@ RecordProgram::RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSo
 
 bool RecordProgram::next(MotionBlock& block) {
     while (next_ == blocks_.size()) {
+        if (stepped_ && next_stepped(block)) return true;
+        if (next_ < blocks_.size()) break;
         if (is_ended_) return false;
         blocks_.clear();
         next_ = 0;
@@ -92,7 +94,7 @@ bool RecordProgram::next(MotionBlock& block) {
 bool RecordProgram::make_blocks() {
     ProgramStep step;
     is_waiting_ = false;
-    for (int taken = 0; blocks_.empty() && !is_ended_; ++taken) {
+    for (int taken = 0; blocks_.empty() && !stepped_ && !is_ended_; ++taken) {
         // Steps that come to nothing, without end, must not keep the planner from what else is asked of it.
         if (taken == kMostStepsAtOnce) {
             is_waiting_ = true;
@@ -127,6 +129,7 @@ bool RecordProgram::make_blocks() {
 void RecordProgram::take(const ProgramStep& step) {
     line_ = step.line;
     sequence_ = step.sequence;
+    if (step.shape != cycle::OrderShape::straight) return take_stepped(step);
     if (step.kind == MotionKind::way) return take_way(step);
     come_to_rest();
     switch (step.kind) {
@@ -183,6 +186,44 @@ void RecordProgram::take_very_long_way(const ProgramStep& step) {
         add_way(to);
         come_to_rest();
     }
+}
+
+// From rest to rest.
+void RecordProgram::take_stepped(const ProgramStep& step) {
+    come_to_rest();
+    const Pulses4 from = points_.back().pulses;
+    const bool halts = is_single_ && step.ends_block;
+    if (step.target_pulses == from && step.kind != MotionKind::arc) {
+        if (halts) halt(ProgramHold::single, step.line);
+        return;
+    }
+    cycle::MotionOrder order{};
+    order.target_pulses = step.target_pulses;
+    order.axes = step.stepped_axes;
+    order.shape = step.shape;
+    order.centre_pulses = step.centre_pulses;
+    stepped_.emplace(limits_, order, from, step.seconds);
+    halts_behind_stepped_ = halts;
+    // Where a screw has backlash its nut lies where the last step of its axis left it.
+    Pulses4 before = step.target_pulses;
+    for (std::size_t k = 0; k < kAxisCount; ++k) before[k] -= stepped_->last_direction(k);
+    note_gap_ways(limits_, before, step.target_pulses, gap_ways_);
+    points_.assign(1, {step.target_pulses, 0, 0, false});
+    ways_.assign(1, {});
+}
+
+// False: there is none any more, and what follows stands in blocks_.
+bool RecordProgram::next_stepped(MotionBlock& block) {
+    if (stepped_->next(block) && block.kind != BlockKind::program_end) {
+        set_program_line(block, line_);
+        set_program_sequence(block, sequence_);
+        return true;
+    }
+    stepped_.reset();
+    blocks_.clear();
+    next_ = 0;
+    if (halts_behind_stepped_) halt(ProgramHold::single, line_);
+    return false;
 }
 
 // Near its ends a long way gets points of its own, on the chord to half a pulse.

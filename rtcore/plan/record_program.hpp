@@ -15,6 +15,7 @@
 #include "rtcore/plan/program.hpp"
 #include "rtcore/plan/program_step.hpp"
 #include "rtcore/plan/receding_speeds.hpp"
+#include "rtcore/plan/stepped_program.hpp"
 
 namespace psicarve::plan {
 
@@ -58,6 +59,8 @@ private:
     void take(const ProgramStep& step);
     void take_way(const ProgramStep& step);
     void take_very_long_way(const ProgramStep& step);
+    void take_stepped(const ProgramStep& step);
+    bool next_stepped(cycle::MotionBlock& block);
     void add_way(const ProgramStep& step);
     void come_to_rest();
     void go_ahead();
@@ -91,6 +94,10 @@ private:
     bool is_ended_ = false;
     std::uint64_t line_ = 0;      ///< of the step taken last
     std::uint64_t sequence_ = 0;  ///< of that step
+
+    // A way by point-by-point comparison: its blocks come one by one, behind blocks_.
+    std::optional<SteppedProgram> stepped_;
+    bool halts_behind_stepped_ = false;
 
     // The window at hand, from where the machine rests or the curve is decided up to.
     std::vector<PathPoint> points_;

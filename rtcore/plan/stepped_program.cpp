@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "shared/base/units.hpp"
+
 namespace psicarve::plan {
 
 using cycle::BlockKind;
@@ -29,12 +31,34 @@ PointByPoint way_of(const cycle::ArcInPlane& plane, bool is_arc) {
 }  // namespace
 
 SteppedProgram::SteppedProgram(const MachineLimits& limits, const cycle::MotionOrder& order,
-                               const Pulses4& from_pulses)
+                               const Pulses4& from_pulses, double seconds)
     : limits_(&limits),
       plane_(cycle::arc_of(order, from_pulses, target_of(order, from_pulses))),
       way_(way_of(plane_, cycle::is_arc(order))) {
     speeds_ = cycle::is_arc(order) ? arc_speeds() : line_speeds();
     count_groups();
+    if (seconds > 0.0) keep_to(length_pulses(cycle::is_arc(order)) / seconds);
+}
+
+void SteppedProgram::keep_to(double speed_per_s) {
+    speeds_.max_per_s = std::min(speeds_.max_per_s, speed_per_s);
+    speeds_.start_per_s = std::min(speeds_.start_per_s, speeds_.max_per_s);
+}
+
+// What V steps a second may at most be for a path at the speed F: all of a line has one direction, N steps
+// over its length. Of an arc they are as long as the path where only one axis steps, so that V = F.
+double SteppedProgram::length_pulses(bool is_arc) const {
+    const auto steps = static_cast<double>(steps_);
+    if (!is_arc) return steps;
+    const auto angle = [](PointByPoint::Point at) {
+        return std::atan2(static_cast<double>(at.y), static_cast<double>(at.x));
+    };
+    const auto radius = static_cast<double>(plane_.radius_pulses);
+    const double way = angle(plane_.end) - angle(plane_.begin);
+    double turned = std::fmod((plane_.counter_clockwise ? way : -way) + 4.0 * kPi, 2.0 * kPi);
+    // Steps are at most the square root of two times as long as the arc.
+    if (steps > 1.5 * turned * radius + 8.0) turned += 2.0 * kPi;
+    return turned > 0.0 ? std::min(steps, turned * radius) : steps;
 }
 
 std::optional<SteppedProgram::Run> SteppedProgram::next_run(PointByPoint& way) {
@@ -55,6 +79,8 @@ void SteppedProgram::count_groups() {
         const bool has_gap = limits_->axes[plane_.axes[run->axis]].backlash_pulses > 0;
         const bool turns = has_gap && last[run->axis] != run->direction;
         last[run->axis] = run->direction;
+        last_[plane_.axes[run->axis]] = run->direction;
+        steps_ += static_cast<std::uint64_t>(run->steps);
         if (turns || groups_.empty()) groups_.push_back({0, 0});
         ++groups_.back().blocks;
         groups_.back().steps += static_cast<std::uint64_t>(run->steps);

@@ -20,9 +20,13 @@ namespace psicarve::plan {
 /// Where an axis turns round whose screw has backlash, a new one begins from rest.
 class SteppedProgram final : public Program {
 public:
-    SteppedProgram(const MachineLimits& limits, const cycle::MotionOrder& order, const Pulses4& from_pulses);
+    /// `seconds`: the least that it may take, by its length; 0: as fast as the machine can.
+    SteppedProgram(const MachineLimits& limits, const cycle::MotionOrder& order, const Pulses4& from_pulses,
+                   double seconds = 0.0);
 
     bool next(cycle::MotionBlock& block) override;
+    /// In which an axis makes its last step, or 0. Before the first next().
+    int last_direction(std::size_t axis) const noexcept { return last_[axis]; }
 
 private:
     struct Run {
@@ -39,12 +43,16 @@ private:
     void count_groups();
     GroupLimits line_speeds() const;
     GroupLimits arc_speeds() const;
+    double length_pulses(bool is_arc) const;
+    void keep_to(double speed_per_s);
 
     const MachineLimits* limits_;
     cycle::ArcInPlane plane_;
     cycle::PointByPoint way_;
     GroupLimits speeds_{};
     std::vector<Group> groups_;
+    std::uint64_t steps_ = 0;
+    std::array<int, kAxisCount> last_{};
     std::size_t group_ = 0;
     std::uint32_t blocks_left_ = 0;  ///< of the group at hand
     bool is_ended_ = false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rtcore/cycle/arc_order.hpp"
 #include "rtcore/cycle/motion_order.hpp"
 #include "shared/base/units.hpp"
 #include "shared/machine/message_argument.hpp"
@@ -14,6 +15,30 @@ namespace {
 
 constexpr std::uint8_t kAllAxesMask = (1U << kAxisCount) - 1U;
 constexpr double kMsPerS = 1000.0;
+constexpr std::uint8_t kYMask = 1U << index_of(Axis::y);
+/// Of one head, y, or both: point-by-point comparison has two axes.
+constexpr std::uint8_t kHeadMasks[]{1U << index_of(Axis::r1), 1U << index_of(Axis::r2)};
+/// Of a line by point-by-point comparison: it multiplies the ways of both axes.
+constexpr double kLongestSteppedPulses = 1 << 30;
+
+bool are_stepped_axes(std::uint8_t axes) noexcept {
+    return axes == kYMask || axes == kHeadMasks[0] || axes == kHeadMasks[1] ||
+           axes == (kHeadMasks[0] | kYMask) || axes == (kHeadMasks[1] | kYMask);
+}
+bool are_arc_axes(std::uint8_t axes) noexcept {
+    return are_stepped_axes(axes) && (axes & kYMask) != 0 && axes != kYMask;
+}
+bool is_known_way(const MotionRecord& record) noexcept {
+    if ((record.axes & ~kAllAxesMask) != 0 || record.code != 0) return false;
+    if ((record.flags & kIsStepped) == 0) return true;
+    return are_stepped_axes(record.axes) && (record.flags & kIsRapid) == 0 && record.tolerance_mm == 0.0;
+}
+bool is_known_arc(const MotionRecord& record) noexcept {
+    const bool has_sense = record.code == static_cast<std::uint8_t>(ArcSense::clockwise) ||
+                           record.code == static_cast<std::uint8_t>(ArcSense::counterclockwise);
+    return has_sense && are_arc_axes(record.axes) && (record.flags & (kIsRapid | kIsStepped)) == 0 &&
+           record.tolerance_mm == 0.0;
+}
 
 /// What may stand in a record of its kind: flags, axes and codes that are not known mean something else to
 /// whoever wrote them than to us.
@@ -21,10 +46,11 @@ bool is_known(const MotionRecord& record) noexcept {
     for (const std::uint8_t byte : record.reserved)
         if (byte != 0) return false;
     if (record.line == 0 || (record.flags & ~kKnownFlags) != 0) return false;
-    if (record.kind != MotionKind::way && (record.axes != 0 || (record.flags & kIsRapid) != 0)) return false;
+    if (record.kind == MotionKind::arc) return is_known_arc(record);
+    if (record.centre_mm != std::array<double, 2>{}) return false;
+    if (record.kind == MotionKind::way) return is_known_way(record);
+    if (record.axes != 0 || (record.flags & (kIsRapid | kIsStepped)) != 0) return false;
     switch (record.kind) {
-        case MotionKind::way:
-            return (record.axes & ~kAllAxesMask) == 0 && record.code == 0;
         case MotionKind::dwell:
         case MotionKind::end:
             return record.code == 0;
@@ -40,6 +66,7 @@ bool is_known(const MotionRecord& record) noexcept {
 
 bool has_numbers(const MotionRecord& record) noexcept {
     return std::ranges::all_of(record.target, [](double value) { return std::isfinite(value); }) &&
+           std::ranges::all_of(record.centre_mm, [](double value) { return std::isfinite(value); }) &&
            std::isfinite(record.seconds) && std::isfinite(record.tolerance_mm);
 }
 
@@ -86,8 +113,64 @@ Message RecordRules::judge(const MotionRecord& record, const plan::Pulses4& at,
                              .seconds = record.seconds,
                              .tolerance_mm = record.tolerance_mm};
     if (record.kind == MotionKind::stop) step.reason = static_cast<StopReason>(record.code);
-    if (record.kind != MotionKind::way) return {};
-    return judge_way(record, at, step.target_pulses);
+    if (record.kind != MotionKind::way && record.kind != MotionKind::arc) return {};
+    if (const Message wrong = judge_way(record, at, step.target_pulses); !wrong.is_none()) return wrong;
+    if (record.kind == MotionKind::way && (record.flags & kIsStepped) == 0) return {};
+    return judge_stepped(record, at, step);
+}
+
+Message RecordRules::judge_stepped(const MotionRecord& record, const plan::Pulses4& at,
+                                   plan::ProgramStep& step) const noexcept {
+    step.stepped_axes = record.axes;
+    step.shape = cycle::OrderShape::stepped;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t k = index_of(axis);
+        const auto way = static_cast<double>(step.target_pulses[k]) - static_cast<double>(at[k]);
+        if (std::fabs(way) <= kLongestSteppedPulses) continue;
+        return message_of(MessageId::program_cannot_count_so_far, count_argument(record.line),
+                          argument_of(axis));
+    }
+    return record.kind == MotionKind::arc ? judge_arc(record, at, step) : Message{};
+}
+
+// An arc in millimetres is one in pulses only where both axes have as many of them; so it is for moves by
+// hand. Its steps wind round a circle in pulses and are within one of it: nowhere further than R, rounded up,
+// at the circle's four ends, and elsewhere between its own.
+Message RecordRules::judge_arc(const MotionRecord& record, const plan::Pulses4& at,
+                               plan::ProgramStep& step) const noexcept {
+    const Message unsound = message_of(MessageId::program_arc_unsound, count_argument(record.line));
+    const Axis head = (record.axes & kHeadMasks[0]) != 0 ? Axis::r1 : Axis::r2;
+    const std::array<Axis, 2> plane{head, Axis::y};
+    if (axes_[index_of(head)].pulses_per_unit != axes_[index_of(Axis::y)].pulses_per_unit) return unsound;
+    cycle::MotionOrder order{};
+    order.axes = record.axes;
+    order.shape = record.code == static_cast<std::uint8_t>(ArcSense::clockwise) ? cycle::OrderShape::clockwise
+                                                                                : cycle::OrderShape::arc;
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+        const double pulses = pulses_of(plane[i], record.centre_mm[i]);
+        if (std::fabs(pulses) > static_cast<double>(cycle::kFurthestPulses)) {
+            return message_of(MessageId::program_cannot_count_so_far, count_argument(record.line),
+                              argument_of(plane[i]));
+        }
+        order.centre_pulses[i] = round_to_pulse(pulses);
+    }
+    const cycle::ArcInPlane arc = cycle::arc_of(order, at, step.target_pulses);
+    if (!arc.is_arc) return unsound;
+    step.shape = order.shape;
+    step.centre_pulses = order.centre_pulses;
+    const auto way = cycle::PointByPoint::arc(arc.begin, arc.end, arc.counter_clockwise);
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+        for (const int sign : {-1, 1}) {
+            if (!way.passes(i == 0 ? sign : 0, i == 0 ? 0 : sign)) continue;
+            plan::Pulses4 furthest = at;
+            std::int64_t& place = furthest[index_of(plane[i])];
+            place = arc.centre_pulses[i] + sign * arc.radius_pulses;
+            Message wrong = judge_place(record.line, plane[i], place);
+            if (wrong.is_none()) wrong = judge_tips(record.line, at, furthest);
+            if (!wrong.is_none()) return wrong;
+        }
+    }
+    return {};
 }
 
 Message RecordRules::judge_way(const MotionRecord& record, const plan::Pulses4& at,

@@ -30,6 +30,10 @@ public:
 private:
     Message judge_way(const MotionRecord& record, const plan::Pulses4& at,
                       plan::Pulses4& target) const noexcept;
+    Message judge_stepped(const MotionRecord& record, const plan::Pulses4& at,
+                          plan::ProgramStep& step) const noexcept;
+    Message judge_arc(const MotionRecord& record, const plan::Pulses4& at,
+                      plan::ProgramStep& step) const noexcept;
     Message judge_place(std::uint64_t line, Axis axis, std::int64_t position) const noexcept;
     Message judge_tips(std::uint64_t line, const plan::Pulses4& at, const plan::Pulses4& to) const noexcept;
     double pulses_of(Axis axis, double position) const noexcept;

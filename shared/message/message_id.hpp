@@ -150,6 +150,7 @@ enum class MessageId : std::uint16_t {
     program_lost = 217,
     no_such_program = 218,
     program_start_moved = 219,
+    program_arc_unsound = 220,
 };
 
 }  // namespace psicarve

@@ -154,6 +154,7 @@ struct GcodeProfile {
     SecondHead second_head = SecondHead::own;
     bool turns_shortest = false;      ///< a G0 of C
     bool feeds_over_surface = false;  ///< F is the tool's speed over the piece, not that of X Y Z
+    bool is_stepwise = false;         ///< lines and arcs of a head and Y by point-by-point comparison
 
     friend bool operator==(const GcodeProfile&, const GcodeProfile&) = default;
 };

@@ -35,6 +35,7 @@ constexpr Word kSecondHeadWords[]{{"own", number_of(SecondHead::own)},
                                   {"follow", number_of(SecondHead::follow)}};
 constexpr Word kRapidPsiWords[]{{"shortest", 1}, {"written", 0}};
 constexpr Word kFeedOverWords[]{{"axes", 0}, {"surface", 1}};
+constexpr Word kInterpolationWords[]{{"path", 0}, {"stepwise", 1}};
 constexpr Word kPulseFormWords[]{{"over-ticks", number_of(PulseForm::over_ticks)},
                                  {"within-tick", number_of(PulseForm::within_tick)}};
 constexpr Word kOnHoldWords[]{{"lift", 1}, {"stay", 0}};
@@ -236,6 +237,8 @@ void add_gcode(std::vector<KeySpec>& keys) {
                "G0 of C turns as it is written, or the shortest way to the same direction.");
     gcode.word(&G::feeds_over_surface, "feed_over", kFeedOverWords, kNoMotion,
                "F is along X, Y and Z, or of the faster tool over the piece, which turns under it.");
+    gcode.word(&G::is_stepwise, "interpolation", kInterpolationWords, kNoMotion,
+               "Feeds along a path through all points, or, of a head and Y, by point-by-point comparison.");
 }
 
 void add_port(std::vector<KeySpec>& keys) {

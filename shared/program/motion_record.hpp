@@ -34,7 +34,7 @@ enum class ArcSense : std::uint8_t { clockwise = 1, counterclockwise = 2 };
 inline constexpr std::uint8_t kIsRapid = 1;    ///< a way in the air: the feed's override is not for it
 inline constexpr std::uint8_t kEndsBlock = 2;  ///< the last record of its block in the program
 inline constexpr std::uint8_t kIsStepped = 4;  ///< a way by point-by-point comparison, from rest to rest
-inline constexpr std::uint8_t kKnownFlags = kIsRapid | kEndsBlock;
+inline constexpr std::uint8_t kKnownFlags = kIsRapid | kEndsBlock | kIsStepped;
 
 /// Nothing takes longer, be it a dwell or a way: a day.
 inline constexpr double kMostRecordSeconds = 86'400.0;

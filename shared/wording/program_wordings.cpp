@@ -119,6 +119,13 @@ constexpr std::array kProgramWordings{
             "the machine has moved since the program was read",
             kAgain,
             {}},
+    Wording{
+        Id::program_arc_unsound,
+        "program_arc_unsound",
+        "line %1: no arc to step along: its head and y have as many pulses per mm, and its ends are as far "
+        "from the centre as each other, to a pulse, 2 pulses or more",
+        kAgain,
+        {kProgramLine}},
 };
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace psicarve::verify {
 namespace {
 
-/// Rounding of the canonical ends, of the path, and of its cuts: half a pulse each.
-constexpr double kSlackPulses = 1.5;
 /// No more ways are followed at once: they would all have to lie within one tolerance.
 constexpr std::size_t kMostWays = 4096;
 /// After a breach the path is looked for on so many of the next ways, now and then.
@@ -67,7 +65,7 @@ ProgramRule::Live* ProgramRule::live(std::size_t n) {
 }
 
 WayTolerance ProgramRule::tolerance_of(const Live& way) const noexcept {
-    return {way.demand.tolerance_mm + kRounding_mm, kSlackPulses};
+    return {way.demand.tolerance_mm + kRounding_mm, way.demand.slack_pulses};
 }
 
 void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
@@ -141,7 +139,7 @@ bool ProgramRule::stays_on(Live& way, const Positions& at) {
 /// and rounds a corner as it likes: together they may be off twice as much.
 double ProgramRule::apart_mm(const Live& way, const Positions& at,
                              const std::array<double, kHeadCount>& shares) const noexcept {
-    const WayTolerance tolerance{2.0 * tolerance_of(way).mm, kSlackPulses + 1.0};
+    const WayTolerance tolerance{2.0 * tolerance_of(way).mm, way.demand.slack_pulses + 1.0};
     return way.demand.way.from_one_place_mm(at, tolerance, shares) - tolerance.mm;
 }
 
@@ -158,7 +156,8 @@ bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at)
     if (way.demand.is_exact) return note_rest(way, time_ns, at);
     if (!way.is_on || !has_come(way)) return false;
     for (std::size_t head = 0; head < kHeadCount; ++head)
-        if (way.demand.way.from_end_mm(head, at, kSlackPulses) > tolerance_of(way).mm) return false;
+        if (way.demand.way.from_end_mm(head, at, way.demand.slack_pulses) > tolerance_of(way).mm)
+            return false;
     way.ended_ns = time_ns;
     return true;
 }

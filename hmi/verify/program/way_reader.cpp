@@ -17,6 +17,8 @@ using gcode::CanonRecord;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr int kBlendCode = 640;
 constexpr int kSpindleOffCode = 5;
+/// An arc's steps are within a pulse of a circle in whole pulses: its centre, too, is rounded.
+constexpr double kSteppedArcSlackPulses = 2.5;
 constexpr int kOptionalStopCode = 1;
 
 bool is_motion(const CanonRecord& record) noexcept {
@@ -56,6 +58,7 @@ WayReader::WayReader(const JudgedProgram& program, const Profile& profile, const
     : stream_(program.open, language_from(program, gcode::AxisLetters{profile.gcode}, scale, start), profile),
       scale_(scale),
       letters_(profile.gcode),
+      stepped_(profile),
       turns_shortest_(profile.gcode.turns_shortest),
       own_tolerance_mm_(profile.job.path_tolerance_mm),
       tolerance_mm_(profile.job.path_tolerance_mm),
@@ -68,6 +71,8 @@ std::optional<WayDemand> WayReader::next() {
         if (is_motion(*record)) {
             auto way = way_of(*record);
             if (!way) continue;
+            // It begins at rest.
+            if (held_ && way->is_stepped) held_->is_exact = true;
             std::swap(held_, way);
             if (way) return way;
             continue;
@@ -126,6 +131,13 @@ std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
     // Chords of what is drawn have used up their share of it.
     if (record.is_drawn) demand.tolerance_mm *= 1.0 - gcode::kChordShare;
     if (record.feed_per_min > 0.0) demand.seconds = record.length / record.feed_per_min * kSecondsPerMinute;
+    const bool is_stepped_arc = stepped_.arc(record).has_value();
+    demand.is_stepped = is_stepped_arc || stepped_.line_axes(record, letters_.all()) != 0;
+    if (demand.is_stepped) {
+        demand.is_exact = true;
+        demand.tolerance_mm = 0.0;
+    }
+    if (is_stepped_arc) demand.slack_pulses = kSteppedArcSlackPulses;
     demand.needs_spindle = is_spindle_on_;
     demand.goes_on = record.begins_within;
     return demand;

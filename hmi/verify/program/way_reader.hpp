@@ -7,6 +7,7 @@
 
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
+#include "hmi/gcode/stepped_way.hpp"
 #include "hmi/verify/program/canon_stream.hpp"
 #include "hmi/verify/program/programmed_way.hpp"
 
@@ -24,9 +25,11 @@ struct WayDemand {
     ProgrammedWay way;
     std::uint64_t line = 0;
     double tolerance_mm = 0.0;  ///< how far off the way the path may be, besides pulses
+    double slack_pulses = 1.5;  ///< rounding of the canonical ends, of the path, of its cuts: a half each
     bool is_exact = false;      ///< its end is reached to the pulse, at rest
     double seconds = 0.0;       ///< the least that it may take; 0: as fast as the machine can
     double dwell_s = 0.0;       ///< the rest at its end
+    bool is_stepped = false;    ///< by point-by-point comparison, from rest to rest
     bool goes_on = false;       ///< a piece of a drawn way, and not its first
     bool needs_spindle = false;
 };
@@ -54,6 +57,7 @@ private:
     CanonStream stream_;
     const WayScale& scale_;
     gcode::AxisLetters letters_;
+    gcode::SteppedWays stepped_;
     bool turns_shortest_;
     double own_tolerance_mm_;
     double tolerance_mm_;

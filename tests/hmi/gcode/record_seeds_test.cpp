@@ -20,6 +20,7 @@ struct RecordSeed {
     std::uint8_t pace;
     std::uint8_t passes;
     std::string program;
+    bool is_stepwise = false;
 };
 
 /// Short ways round and round, on which nothing asks for a rest.
@@ -47,6 +48,10 @@ std::vector<RecordSeed> record_seeds() {
          "F300 G0 X31 Y22\nG81 X30 Y21 Z29 R30\nY22\nG83 Z28.5 R30 Q.5\nG80\nM2\n"},
         {"stops", fuzz::kLiftsOnHold | fuzz::kIsHeld, 64, 0,
          "F500 M3\nG1 X29 Z30 C30\nM0\nT1 M6\nG1 X30 Y15\nG93 G1 X29 F30\nM5\nG4 P2\nG0 X31\nM2\n"},
+        {"steps", fuzz::kHasBacklash | fuzz::kIsHeld, 9, 1,
+         "F900\nG0 X30 Z30 Y20\nM3\nG1 X29.5 Y20.3\nG17 G3 X29 Y20.8 I-.5 J0\nG2 J-.4 P2\nG1 X29.2 C5\n"
+         "G19 G2 Z30.5 Y21.3 K0.5 J0\nG1 Z30\nM5\nM2\n",
+         true},
         {"loop", 0, 90, 0,
          "F3000 G64 P.02\nG0 X30 Y15\no1 repeat [20]\nG91 G1 X-.05 C1\nY.05\nX.05\nG90\no1 endrepeat\nM2\n"},
     };
@@ -54,7 +59,9 @@ std::vector<RecordSeed> record_seeds() {
 
 TEST(RecordSeeds, AreRecordsOfRealPrograms) {
     for (const RecordSeed& seed : record_seeds()) {
-        const MadeRecords made = made_records(seed.program);
+        Profile profile;
+        profile.gcode.is_stepwise = seed.is_stepwise;
+        const MadeRecords made = made_records(seed.program, {}, profile);
         ASSERT_EQ(made.faults, Faults{}) << seed.name;
         ASSERT_EQ(made.failure, "") << seed.name;
         const auto wanted = fuzz::bytes_of_input(seed.how, seed.pace, seed.passes, made.records);

@@ -130,6 +130,35 @@ TEST(PointByPoint, ArcsOfAllQuadrantsEndExactlyAndStayWithinAPulse) {
     }
 }
 
+// From (10, 1) to (11, 1): x has to go out again where the quadrant only leads it in.
+TEST(PointByPoint, AnArcWhoseEndIsOffTheCircleByAPulseEndsThereAllTheSame) {
+    constexpr int kMost = 13;
+    for (int n = 0; n < (2 * kMost + 1) * (2 * kMost + 1); ++n) {
+        const Point begin{n % (2 * kMost + 1) - kMost, n / (2 * kMost + 1) - kMost};
+        const double radius = std::hypot(static_cast<double>(begin.x), static_cast<double>(begin.y));
+        if (radius < 2.0) continue;
+        for (int m = 0; m < (2 * kMost + 1) * (2 * kMost + 1); ++m) {
+            const Point end{m % (2 * kMost + 1) - kMost, m / (2 * kMost + 1) - kMost};
+            if (std::abs(std::hypot(static_cast<double>(end.x), static_cast<double>(end.y)) - radius) > 1.0)
+                continue;
+            for (const bool counter_clockwise : {true, false}) {
+                PointByPoint sut = PointByPoint::arc(begin, end, counter_clockwise);
+                int steps = 0;
+                double off = 0.0;
+                for (; !sut.is_finished() && steps < 20 * kMost; ++steps) {
+                    sut.next();
+                    const Point at = sut.at();
+                    off = std::max(
+                        off,
+                        std::abs(std::hypot(static_cast<double>(at.x), static_cast<double>(at.y)) - radius));
+                }
+                ASSERT_EQ(sut.at(), end) << begin.x << ", " << begin.y << " to " << end.x << ", " << end.y;
+                ASSERT_LE(off, 1.0 + 1e-9) << begin.x << ", " << begin.y << " to " << end.x << ", " << end.y;
+            }
+        }
+    }
+}
+
 TEST(PointByPoint, AnArcBackToItsBeginIsAWholeTurn) {
     for (const Point begin : {Point{50, 0}, Point{0, -50}, Point{30, 40}, Point{-30, 40}}) {
         for (const bool counter_clockwise : {true, false}) {

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/stepped_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hmi/gcode/arc.hpp"
+#include "shared/base/units.hpp"
+
+namespace psicarve::gcode {
+namespace {
+
+/// Ends that are nearer might change places when they are rounded, and a short arc become a whole turn.
+constexpr double kLeastGapPulses = 16.0;
+constexpr double kLeastRadiusPulses = 3.0;
+constexpr double kMostRadiusPulses = 1 << 29;
+/// By which the core lets both ends' radii differ, less a rounding.
+constexpr double kMostApartPulses = 0.999;
+constexpr double kSameAngleRad = 1e-9;
+constexpr int kSamples = 16;
+
+using PulsePoint = std::array<double, 2>;
+
+double apart(const PulsePoint& a, const PulsePoint& b) noexcept {
+    return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+PulsePoint rounded(const PulsePoint& at) noexcept {
+    return {static_cast<double>(round_to_pulse(at[0])), static_cast<double>(round_to_pulse(at[1]))};
+}
+
+/// The circle's centre on whole pulses: that of those around it from which both ends are alike far, whose
+/// circle is nearest to the true one all along the arc.
+std::optional<PulsePoint> centre_on_pulses(const PulsePoint& from, const PulsePoint& to,
+                                           const PulsePoint& centre, double sweep_rad) noexcept {
+    const PulsePoint begin = rounded(from);
+    const PulsePoint end = rounded(to);
+    const PulsePoint middle = rounded(centre);
+    const double radius = apart(from, centre);
+    const double start_rad = std::atan2(from[1] - centre[1], from[0] - centre[0]);
+    std::optional<PulsePoint> best;
+    double least = INFINITY;
+    for (int n = 0; n < 9; ++n) {
+        const PulsePoint at{middle[0] + n % 3 - 1, middle[1] + n / 3 - 1};
+        const double around = apart(begin, at);
+        if (std::abs(apart(end, at) - around) > kMostApartPulses) continue;
+        double off = 0.0;
+        for (int i = 0; i <= kSamples; ++i) {
+            const double angle_rad = start_rad + sweep_rad * i / kSamples;
+            const PulsePoint place{centre[0] + radius * std::cos(angle_rad),
+                                   centre[1] + radius * std::sin(angle_rad)};
+            off = std::max(off, std::abs(apart(place, at) - around));
+        }
+        if (off >= least) continue;
+        least = off;
+        best = at;
+    }
+    return best;
+}
+
+}  // namespace
+
+AxisMask changed_letters(const CanonRecord& record) noexcept {
+    AxisMask changed = static_cast<AxisMask>(record.placed & ~record.start_placed);
+    for (std::size_t letter = 0; letter < kLetterCount; ++letter)
+        if (record.start[letter] != record.end[letter]) changed |= mask_of(letter);
+    return changed;
+}
+
+SteppedWays::SteppedWays(const Profile& profile) noexcept
+    : is_on_(profile.gcode.is_stepwise),
+      letters_(profile.gcode),
+      core_pulses_{core_radius_pulses(profile, Axis::r1), core_radius_pulses(profile, Axis::r2)} {
+    for (const Axis axis : kAllAxes) axes_[index_of(axis)] = axis_motion(profile, axis);
+}
+
+std::uint8_t SteppedWays::line_axes(const CanonRecord& record, AxisMask letters) const noexcept {
+    if (!is_on_ || record.kind != CanonKind::feed || record.is_drawn) return 0;
+    const AxisMask changed = static_cast<AxisMask>(changed_letters(record) & letters);
+    unsigned axes = 0;
+    for (const Axis axis : kAllAxes)
+        if ((changed & letters_.mask_of_axis(axis)) != 0) axes |= 1U << index_of(axis);
+    constexpr unsigned kHeadBits = 1U << index_of(Axis::r1) | 1U << index_of(Axis::r2);
+    const bool has_both = (axes & kHeadBits) == kHeadBits;
+    return has_both || (axes >> index_of(Axis::psi) & 1U) != 0 ? 0 : static_cast<std::uint8_t>(axes);
+}
+
+std::optional<SteppedArc> SteppedWays::arc(const CanonRecord& record) const noexcept {
+    if (!is_on_ || record.kind != CanonKind::arc || !letters_.has_arcs_in(*record.plane)) return {};
+    const Plane& plane = *record.plane;
+    if ((changed_letters(record) & letters_.all() & ~mask_of(plane.first) & ~mask_of(plane.second)) != 0)
+        return {};
+    const bool is_y_first = plane.first == letters_.letter_of(Axis::y);
+    const std::size_t head_letter = is_y_first ? plane.second : plane.first;
+    if (letters_.letter_of(Axis::r1) == letters_.letter_of(Axis::r2)) return {};
+    SteppedArc found;
+    found.head = letters_.letter_of(Axis::r1) == head_letter ? Axis::r1 : Axis::r2;
+    const double scale = axes_[index_of(found.head)].pulses_per_unit;
+    if (scale != axes_[index_of(Axis::y)].pulses_per_unit || !has_room(record, found.head)) return {};
+
+    const auto point = [&](double first_mm, double second_mm) {
+        return PulsePoint{(is_y_first ? second_mm : first_mm) * scale,
+                          (is_y_first ? first_mm : second_mm) * scale};
+    };
+    const PulsePoint from = point(record.start[plane.first], record.start[plane.second]);
+    const PulsePoint to = point(record.end[plane.first], record.end[plane.second]);
+    const PulsePoint centre = point(record.centre_first_mm, record.centre_second_mm);
+    const int turns = is_y_first ? -record.turns : record.turns;
+    const double signed_rad = sweep_rad({from[0], from[1]}, {to[0], to[1]}, {centre[0], centre[1]}, turns);
+    const double radius = apart(from, centre);
+    if (radius < kLeastRadiusPulses || radius > kMostRadiusPulses) return {};
+    found.is_counterclockwise = signed_rad > 0.0;
+    found.sweep_rad = std::abs(signed_rad);
+    found.whole_turns = static_cast<int>((found.sweep_rad + kSameAngleRad) / (2.0 * kPi));
+    found.rest_rad = std::max(0.0, found.sweep_rad - 2.0 * kPi * found.whole_turns);
+    if (found.rest_rad <= kSameAngleRad) {
+        found.rest_rad = 0.0;
+        if (rounded(from) != rounded(to)) return {};
+    } else if (const double gap_rad = kLeastGapPulses / radius;
+               found.rest_rad < gap_rad || found.rest_rad > 2.0 * kPi - gap_rad) {
+        return {};
+    }
+    const auto at = centre_on_pulses(from, to, centre, signed_rad);
+    if (!at) return {};
+    found.centre_mm = {(*at)[0] / scale, (*at)[1] / scale};
+    return found;
+}
+
+/// Steps may be a pulse off the arc, and the core lets none be where an axis may not.
+bool SteppedWays::has_room(const CanonRecord& record, Axis head) const noexcept {
+    constexpr double kRoomPulses = 2.0;
+    const Plane& plane = *record.plane;
+    const ArcExtents extents = arc_extents({record.start[plane.first], record.start[plane.second]},
+                                           {record.end[plane.first], record.end[plane.second]},
+                                           {record.centre_first_mm, record.centre_second_mm}, record.turns);
+    const bool is_y_first = plane.first == letters_.letter_of(Axis::y);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Axis axis = (i == 0) == is_y_first ? Axis::y : head;
+        const AxisMotion& motion = axes_[index_of(axis)];
+        const double least = extents.least_mm[i] * motion.pulses_per_unit - kRoomPulses;
+        const double most = extents.most_mm[i] * motion.pulses_per_unit + kRoomPulses;
+        if (axis == head && least < static_cast<double>(core_pulses_[index_of(head)])) return false;
+        if (!motion.has_travel) continue;
+        if (least < static_cast<double>(motion.travel_min_pulses) ||
+            most > static_cast<double>(motion.travel_max_pulses))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace psicarve::gcode

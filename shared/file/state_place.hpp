@@ -25,9 +25,8 @@ struct OffsetsFolder {
     std::string path;        ///< empty: nothing is kept
     bool is_shared = false;  ///< by all users who may write there
 };
-/// $PSICARVE_STATE, and none where that is empty; else offsets in kSystemStateFolder where that is there
-/// and this user may write there, for all operators of the computer's machine; else psicarve in
-/// $XDG_STATE_HOME (~/.local/state).
+/// $PSICARVE_STATE, and none where that is empty; else offsets in kSystemStateFolder where that is there, for
+/// all operators of the computer's machine; else psicarve in $XDG_STATE_HOME (~/.local/state).
 OffsetsFolder offsets_folder();
 
 /// How a core keeps its checkpoint on a disk, as its segment says. The segment has no room for a path, only

@@ -108,23 +108,12 @@ class Packages(unittest.TestCase):
     def look_at_the_computer_of_a_machine(self, root):
         self.assertRegex((root / "etc/passwd").read_text(), r"(?m)^psicarve:")
         self.assertRegex((root / "etc/group").read_text(), r"(?m)^psicarve:")
-        self.look_at_the_folder_of_work_offsets(root)
         service = (root / "lib/systemd/system/psicarve-rtcore.service").read_text()
         self.assertIn("\nExecStart=/usr/bin/psicarve-rtcore ", service)
         # A user who has a port enables it.
         self.assertEqual(list(root.rglob("*.wants")), [])
         self.assertIn("GROUP=\"psicarve\"", (root / "lib/udev/rules.d/60-psicarve.rules").read_text())
         self.assertIn("@psicarve - rtprio", (root / "etc/security/limits.d/psicarve.conf").read_text())
-
-    def look_at_the_folder_of_work_offsets(self, root):
-        rules = (root / "usr/lib/tmpfiles.d/psicarve.conf").read_text()
-        self.assertIn("\nd /var/lib/psicarve/offsets 2770 root psicarve -\n", rules)
-        script = (root / "var/lib/dpkg/info/psicarve-core.postinst").read_text()
-        self.assertIn("systemd-tmpfiles", script)
-        self.assertLess(script.index("systemd-sysusers"), script.index("systemd-tmpfiles"))
-        folder = root / "var/lib/psicarve/offsets"
-        self.assertTrue(folder.is_dir())
-        self.assertEqual(folder.stat().st_mode & 0o7777, 0o2770)
 
     def test_the_script_says_what_it_cannot_do(self):
         script = SOURCE / "packaging" / "build_packages.sh"

@@ -182,7 +182,7 @@ TEST_F(ProgramFit, WithWorkOffsetsOfALongPath) {
     open_text("G21 G90 F300\nG0 X40 Z41 Y5\nG1 X38\nM2\n");
     window_->refresh();
     const QString facts = part<QLabel>("program_facts").text();
-    EXPECT_TRUE(facts.contains(QString::fromUtf8("turned by -12.345°"))) << facts.toStdString();
+    EXPECT_TRUE(facts.contains(QString::fromUtf8("turned by −12.345°"))) << facts.toStdString();
     ASSERT_NO_FATAL_FAILURE(expect_fit("offsets"));
 }
 

@@ -19,7 +19,10 @@ ProgramModes unknown_modes() noexcept {
 void ModesTeller::follow(const ProgramReport& report) {
     // Until it runs the status is that of the program before.
     const bool is_ours = report.status.program == writer_.program();
-    const ProgramModes now = trail_.at(is_ours ? report.status.sequence : 0).value_or(unknown_modes());
+    auto known = trail_.at(is_ours ? report.status.sequence : 0);
+    // Of a way that the trail has forgotten.
+    if (known && is_ours && known->line == 0) known->line = report.status.line;
+    const ProgramModes now = known.value_or(unknown_modes());
     if (has_told_ && std::memcmp(&now, &told_, sizeof now) == 0) return;
     writer_.tell(now);
     told_ = now;

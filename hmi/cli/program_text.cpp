@@ -50,28 +50,36 @@ std::string modes_text(const ProgramReport& report) {
     const std::string codes = report.modes ? report::codes_text(*report.modes) : std::string{};
     if (codes.empty()) return {};
     const ProgramModes& modes = *report.modes;
-    std::string text = "modes      " + codes + "; F " + word_text(modes.feed) + ", S " +
-                       word_text(modes.speed_rpm) + ", T " + std::to_string(modes.tool);
+    std::string text = "modes      " + codes;
+    if (const std::string words = report::words_text(modes, ", "); !words.empty()) text += "; " + words;
     if (!report::is_at_hand(modes, report.status)) text += " (of line " + std::to_string(modes.line) + ")";
     text += "\n";
-    if (!report::has_numbers(modes.zero)) return text;
-    text += "zero       " + report::system_text(modes) + ": " + by_axis_text(modes.zero);
-    if (modes.rotation_deg != 0.0) text += ", turned by " + word_text(modes.rotation_deg) + " deg";
+    const std::string system = report::system_text(modes);
+    if (system.empty() || !report::has_numbers(modes.zero)) return text;
+    text += "zero       " + system + ": " + by_axis_text(modes.zero);
+    if (const auto turn_deg = report::shown_number(modes.rotation_deg); turn_deg.value_or(0.0) != 0.0)
+        text += ", turned by " + word_text(*turn_deg) + " deg";
     return text + "\n";
+}
+
+template <typename Number>
+Json known_json(const std::optional<Number>& number) {
+    return number ? Json(*number) : Json(nullptr);
 }
 
 Json modes_json(const ProgramReport& report) {
     if (!report.modes || report::codes_text(*report.modes).empty()) return Json(nullptr);
     const ProgramModes& modes = *report.modes;
+    const std::string system = report::system_text(modes);
     return Json{{"line", modes.line},
                 {"is_at_hand", report::is_at_hand(modes, report.status)},
                 {"codes", report::codes_text(modes)},
-                {"feed", modes.feed},
-                {"speed_rpm", modes.speed_rpm},
-                {"tool", modes.tool},
-                {"system", report::system_text(modes)},
+                {"feed", known_json(report::shown_number(modes.feed))},
+                {"speed_rpm", known_json(report::shown_number(modes.speed_rpm))},
+                {"tool", known_json(report::shown_tool(modes))},
+                {"system", system.empty() ? Json(nullptr) : Json(system)},
                 {"zero", by_axis_json(modes.zero)},
-                {"rotation_deg", modes.rotation_deg}};
+                {"rotation_deg", known_json(report::shown_number(modes.rotation_deg))}};
 }
 
 /// What has to be done to go on.

@@ -17,6 +17,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
+#include "hmi/cli/program_sight.hpp"
 #include "hmi/cli/program_text.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/cli/unfinished_look.hpp"
@@ -171,14 +172,15 @@ Result<int> tell_without_core(const CommonOptions& common, const machine::Machin
     return exit_code_of(error.code);
 }
 
-std::string json_line(machine::MachineLink& link, const CoreStatus& status, const std::string& pass,
+std::string json_line(machine::MachineLink& link, const ProgramSight& sight, const std::string& pass,
                       const std::optional<Profile>& profile, const Unfinished& unfinished) {
+    const CoreStatus& status = sight.machine;
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
     const auto checkpoint = link.checkpoint();
     object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
-    object["program"] = program_json(program_report(link.segment()), status, profile ? &*profile : nullptr);
+    object["program"] = program_json(sight.program, status, profile ? &*profile : nullptr);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
@@ -215,21 +217,22 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
     if (!link) return tell_without_core(common, nullptr, link.error(), pieces);
     RunningPass running;
     const auto show = [&](bool as_line) -> Result<std::string> {
-        const auto status = link->status();
-        if (!status) return with_last_state(*link, status.error());
-        const std::string pass = running.name(*link, *status);
+        const auto sight = told_sight(*link);
+        if (!sight) return with_last_state(*link, sight.error());
+        const CoreStatus& status = sight->machine;
+        const ProgramReport& program = sight->program;
+        const std::string pass = running.name(*link, status);
         const auto profile = known_profile(*link, *chosen);
         // A view that is refreshed soon does not wait for a disk, except once.
         const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
         if (common.json)
-            return json_line(*link, *status, pass, profile, pieces.beside(*link, *status, patience));
-        const ProgramReport program = program_report(link->segment());
+            return json_line(*link, *sight, pass, profile, pieces.beside(*link, status, patience));
         if (as_line && program.status.is_running != 0)
-            return state_text(*status) + "; program " + program_place_text(program) + "\n";
-        if (as_line) return status_line(*status, pass);
+            return state_text(status) + "; program " + program_place_text(program) + "\n";
+        if (as_line) return status_line(status, pass);
         const auto checkpoint = link->checkpoint();
-        std::string text = head_line(*link) + status_text(*status, profile ? &*profile : nullptr, pass) +
-                           program_text(program, *status, profile ? &*profile : nullptr) +
+        std::string text = head_line(*link) + status_text(status, profile ? &*profile : nullptr, pass) +
+                           program_text(program, status, profile ? &*profile : nullptr) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
         if (const std::string remark = in_words(current_remarks(link->job_remarks(), checkpoint));
             !remark.empty())
@@ -243,7 +246,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
             std::fputs(std::exchange(text, {}).c_str(), stdout);
             if (const auto flushed = flush_output(); !flushed) return flushed.error();
         }
-        return text + text_of(pieces.beside(*link, *status, patience));
+        return text + text_of(pieces.beside(*link, status, patience));
     };
     auto shown = show_or_watch(show, options.watch, common.json);
     return shown ? shown : tell_without_core(common, &*link, shown.error(), pieces);

@@ -2,6 +2,7 @@
 #include "hmi/gcode/modes_trail.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace psicarve::gcode {
 namespace {
@@ -56,15 +57,28 @@ void ModesTrail::add_way(const MotionRecord& record, const ActiveModes& modes) {
     ways_.push_back({record.sequence, record.sequence, record.line, place_});
     if (ways_.size() > most_ways_) ways_.pop_front();
     if (changes_.back().modes != modes) changes_.push_back({record.sequence, modes});
-    drop_before(changes_, ways_.front().first);
+    if (changes_.size() > most_ways_) changes_.pop_front();
 }
 
 std::optional<ProgramModes> ModesTrail::at(std::uint64_t sequence) {
     const std::lock_guard lock{mutex_};
     drop_before(ways_, sequence);
     drop_before(changes_, sequence);
-    if (ways_.empty() || ways_.front().first > sequence || ways_.front().last < sequence) return std::nullopt;
-    return shown(changes_.front(), ways_.front());
+    if (ways_.empty() || changes_.front().first > sequence) return std::nullopt;
+    const Way& way = ways_.front();
+    if (way.first > sequence) return shown(changes_.front(), forgotten_way());
+    if (way.last < sequence) return std::nullopt;
+    return shown(changes_.front(), way);
+}
+
+/// In front of the first that is kept: the last record for which holds what held there, and no end.
+ModesTrail::Way ModesTrail::forgotten_way() const noexcept {
+    Way way = ways_.front();
+    if (changes_.size() > 1) way.first = std::min(way.first, changes_[1].first);
+    way.last = way.first - 1;
+    way.line = 0;
+    way.end.fill(std::numeric_limits<double>::quiet_NaN());
+    return way;
 }
 
 std::size_t ModesTrail::way_count() const {

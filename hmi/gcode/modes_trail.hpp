@@ -17,15 +17,16 @@ namespace psicarve::gcode {
 
 /// What held for each record between the one that is read and the one that the machine is at. One thread
 /// reads the program and notes, another looks up where the machine is; neither waits for the other longer
-/// than for a note. Bounded: where a program has more in between, the oldest is forgotten, and not known
-/// then.
+/// than for a note. Bounded: where a program has more ways in between, the oldest is forgotten. What holds
+/// there is known all the same, without its end and line, but for where it has changed as often, too.
 ///
 ///     ways    | first..last, end | first..last, end | ...      records of one way: an arc's chords
 ///     changes | from            | from                         what holds, where it changed alone
 ///             machine                        program read
 class ModesTrail {
 public:
-    /// `start`: where the machine stands, machine coordinates. `most_ways`: how many are kept.
+    /// `start`: where the machine stands, machine coordinates. `most_ways`: how many are kept, and how
+    /// many changes of what holds.
     ModesTrail(const GcodeProfile& letters, const Position& start, std::size_t most_ways) noexcept;
 
     // Who reads:
@@ -38,7 +39,8 @@ public:
 
     // Who looks:
     /// Of the way that this record is of; 0: in front of all. Without program; `sequence` is its last record
-    /// so far. What comes before is forgotten. Nothing: it is not known.
+    /// so far. What comes before is forgotten. Of a forgotten way: `end` is no number, `line` 0, `sequence`
+    /// the last record for which the rest holds. Nothing: it is not known.
     std::optional<ProgramModes> at(std::uint64_t sequence);
     std::size_t way_count() const;
 
@@ -59,6 +61,7 @@ private:
     };
 
     void add_way(const MotionRecord& record, const ActiveModes& modes);
+    Way forgotten_way() const noexcept;
     ProgramModes shown(const Change& change, const Way& way) const noexcept;
 
     AxisLetters letters_;

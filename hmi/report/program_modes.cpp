@@ -10,10 +10,16 @@
 namespace psicarve::report {
 namespace {
 
-constexpr int kMostGCode = 1000;
-constexpr int kMostMCode = 100;
+/// Those that are active ones of a modal group, in tenths; a test compares them with the reader's.
+constexpr int kGCodes[] = {0,   10,  20,  30,  71,  121, 131, 170, 180, 190, 200, 210, 400, 431,
+                           490, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 800,
+                           810, 820, 830, 900, 901, 910, 911, 930, 940, 950, 980, 990};
+constexpr int kMCodes[] = {3, 4, 5, 7, 8, 9, 48, 49};
 constexpr int kFirstSystem = 540;
 constexpr int kLastSystem = 593;
+/// No number of a program is larger, in whatever unit.
+constexpr double kMostNumber = 1e12;
+constexpr std::int64_t kMostTool = 1'000'000'000'000'000;
 
 std::string g_text(int tenths) {
     std::string text = "G" + std::to_string(tenths / 10);
@@ -21,7 +27,21 @@ std::string g_text(int tenths) {
 }
 
 bool is_g_code(int tenths) noexcept {
-    return tenths >= 0 && tenths < kMostGCode;
+    return std::ranges::find(kGCodes, tenths) != std::ranges::end(kGCodes);
+}
+
+bool is_m_code(int code) noexcept {
+    return std::ranges::find(kMCodes, code) != std::ranges::end(kMCodes);
+}
+
+bool is_number(double value) noexcept {
+    return std::abs(value) <= kMostNumber;
+}
+
+/// Its outputs are going off: to where its program would lead it does not go any more.
+bool has_given_up(MachineState state) noexcept {
+    return state == MachineState::stopping || state == MachineState::alarm ||
+           state == MachineState::backing_off;
 }
 
 }  // namespace
@@ -32,13 +52,14 @@ std::string codes_text(const ProgramModes& modes) {
     for (const int code : modes.g_codes)
         if (is_g_code(code)) add(g_text(code));
     for (const int code : modes.m_codes)
-        if (code >= 0 && code < kMostMCode) add("M" + std::to_string(code));
+        if (is_m_code(code)) add("M" + std::to_string(code));
     return text;
 }
 
 std::string system_text(const ProgramModes& modes) {
-    const auto system = std::ranges::find_if(
-        modes.g_codes, [](int code) { return code >= kFirstSystem && code <= kLastSystem; });
+    const auto system = std::ranges::find_if(modes.g_codes, [](int code) {
+        return code >= kFirstSystem && code <= kLastSystem && is_g_code(code);
+    });
     return system == modes.g_codes.end() ? std::string{} : g_text(*system);
 }
 
@@ -48,17 +69,38 @@ std::string word_text(double value) {
     return text;
 }
 
+std::optional<double> shown_number(double value) noexcept {
+    return is_number(value) ? std::optional{value} : std::nullopt;
+}
+
+std::optional<std::int64_t> shown_tool(const ProgramModes& modes) noexcept {
+    return modes.tool >= 0 && modes.tool <= kMostTool ? std::optional{modes.tool} : std::nullopt;
+}
+
+std::string words_text(const ProgramModes& modes, std::string_view between) {
+    std::string text;
+    const auto add = [&](char letter, const std::string& value) {
+        if (!text.empty()) text += between;
+        text += std::string{letter} + " " + value;
+    };
+    if (is_number(modes.feed)) add('F', word_text(modes.feed));
+    if (is_number(modes.speed_rpm)) add('S', word_text(modes.speed_rpm));
+    if (const auto tool = shown_tool(modes)) add('T', std::to_string(*tool));
+    return text;
+}
+
 bool is_at_hand(const ProgramModes& modes, const ProgramStatus& status) noexcept {
     return modes.program == status.program && !codes_text(modes).empty() && status.sequence <= modes.sequence;
 }
 
 bool has_numbers(const std::array<double, kAxisCount>& values) noexcept {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    return std::ranges::all_of(values, is_number);
 }
 
 std::optional<std::array<double, kAxisCount>> to_go(const ProgramModes& modes, const ProgramStatus& status,
                                                     const CoreStatus& machine, const Profile& profile) {
-    if (!is_at_hand(modes, status) || !has_numbers(modes.end)) return std::nullopt;
+    if (!is_at_hand(modes, status) || !has_numbers(modes.end) || has_given_up(machine.state))
+        return std::nullopt;
     std::array<double, kAxisCount> left{};
     for (const Axis axis : kAllAxes) {
         const std::size_t k = index_of(axis);

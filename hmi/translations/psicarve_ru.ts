@@ -952,8 +952,8 @@
             <translation>Начинается в %1 (ноль%2) с рабочими смещениями из %3.</translation>
         </message>
         <message>
-            <source>Begins in %1 at the machine's zero.</source>
-            <translation>Начинается в %1, в нуле станка.</translation>
+            <source>Begins in %1 at the machine's zero, as %2 has it.</source>
+            <translation>Начинается в %1, в нуле станка: так в файле %2.</translation>
         </message>
         <message>
             <source>Begins with layer 1 again; it asks first</source>

@@ -952,8 +952,8 @@
             <translation>从 %1 开始（零点%2），工件偏置取自 %3。</translation>
         </message>
         <message>
-            <source>Begins in %1 at the machine's zero.</source>
-            <translation>从 %1 开始，即机床零点。</translation>
+            <source>Begins in %1 at the machine's zero, as %2 has it.</source>
+            <translation>从 %1 开始，即机床零点（依据 %2）。</translation>
         </message>
         <message>
             <source>Begins with layer 1 again; it asks first</source>

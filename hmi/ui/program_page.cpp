@@ -358,6 +358,9 @@ void ProgramPage::refresh() {
     modes_->setVisible(!modes.isEmpty());
     const QString facts = facts_text();
     if (facts_->text() != facts) facts_->setText(facts);
+    set_plain_tip(*facts_, desk.program() && !facts.isEmpty()
+                               ? QString::fromStdString(desk.program()->offsets_path)
+                               : QString{});
     facts_->setVisible(!facts.isEmpty());
     set_styled(facts_, "role", desk.problem().is_empty() ? "label" : "problem");
     show_running();

@@ -21,11 +21,16 @@ QString place_number(double value) {
 }
 
 QString of_codes(const ProgramModes& modes) {
-    return QString::fromStdString(report::codes_text(modes)) +
-           QStringLiteral("   F %1  S %2  T %3")
-               .arg(QString::fromStdString(report::word_text(modes.feed)),
-                    QString::fromStdString(report::word_text(modes.speed_rpm)))
-               .arg(modes.tool);
+    const std::string words = report::words_text(modes, "  ");
+    return QString::fromStdString(report::codes_text(modes) + (words.empty() ? "" : "   ") + words);
+}
+
+/// Its end: the whole of it, which the tool tip has, may be longer than the page is wide.
+QString short_path(const std::string& path) {
+    constexpr qsizetype kMostLetters = 40;
+    const QString whole = QString::fromStdString(path);
+    if (whole.size() <= kMostLetters) return whole;
+    return QChar{0x2026} + whole.right(kMostLetters - 1);
 }
 
 }  // namespace
@@ -44,19 +49,20 @@ QString ProgramPage::modes_text() const {
     QString left = QStringLiteral("–");
     if (report.modes && !report::codes_text(*report.modes).empty()) {
         const ProgramModes& modes = *report.modes;
-        lines += of_codes(modes);
-        if (report::has_numbers(modes.zero)) {
-            const QString system = QString::fromStdString(report::system_text(modes));
+        QString codes = of_codes(modes);
+        if (!report::is_at_hand(modes, report.status)) codes += ' ' + tr("(told of line %1)").arg(modes.line);
+        lines += codes;
+        const QString system = QString::fromStdString(report::system_text(modes));
+        if (!system.isEmpty() && report::has_numbers(modes.zero)) {
             QString zero = tr("Zero of %1: %2").arg(system, places_text(modes.zero));
-            if (modes.rotation_deg != 0.0)
-                zero += ", " + tr("turned by %1°").arg(place_number(modes.rotation_deg));
+            if (const auto turn_deg = report::shown_number(modes.rotation_deg); turn_deg.value_or(0.0) != 0.0)
+                zero += ", " + tr("turned by %1°").arg(place_number(*turn_deg));
             lines += zero;
         }
         const auto to_go = context_.knows_core_profile()
                                ? report::to_go(modes, report.status, *machine.status, *machine.profile)
                                : std::nullopt;
         if (to_go) left = places_text(*to_go);
-        if (!report::is_at_hand(modes, report.status)) left += ' ' + tr("(told of line %1)").arg(modes.line);
     }
     lines += tr("To go: %1").arg(left) + QStringLiteral(" · ") +
              tr("queue: %1 of %2").arg(report.queued).arg(report.ring_records);
@@ -68,7 +74,9 @@ QString ProgramPage::offsets_text() const {
     const auto& read = context_.program.program();
     if (!read || read->offsets_path.empty()) return {};
     const QString system = QString::fromUtf8(gcode::kSystemNames[0].data());
-    if (read->offsets == gcode::KeptOffsets{}) return tr("Begins in %1 at the machine's zero.").arg(system);
+    const QString whose = short_path(read->offsets_path);
+    if (read->offsets == gcode::KeptOffsets{})
+        return tr("Begins in %1 at the machine's zero, as %2 has it.").arg(system, whose);
     const gcode::Position zero = gcode::WorkOffsets{read->offsets}.to_machine({});
     const gcode::AxisMask moved = gcode::AxisLetters{read->request.profile.gcode}.all();
     QString places;
@@ -77,8 +85,9 @@ QString ProgramPage::offsets_text() const {
         places += QStringLiteral(" ") + QLatin1Char{gcode::kAxisLetters[letter]} + QStringLiteral(" ") +
                   place_number(zero[letter]);
     }
-    return tr("Begins in %1 (zero%2) with the work offsets of %3.")
-        .arg(system, places, QString::fromStdString(read->offsets_path));
+    if (const double turn_deg = read->offsets.systems[0].rotation_deg; turn_deg != 0.0)
+        places += ", " + tr("turned by %1°").arg(place_number(turn_deg));
+    return tr("Begins in %1 (zero%2) with the work offsets of %3.").arg(system, places, whose);
 }
 
 }  // namespace psicarve::ui

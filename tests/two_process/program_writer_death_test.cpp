@@ -120,9 +120,17 @@ TEST_F(WriterDeath, IsNotWorseThanARingThatIsOverwritten) {
         ASSERT_TRUE(run_numbered(program_report(*segment_view_).running));
         ASSERT_TRUE(eventually([&] { return program_status().line > 1; }));
         // A place that the machine could go to, a millimetre beside the way, is one that its check alone
-        // tells.
+        // tells. While the core sleeps all of the ring waits for it.
         const bool is_beside = round % 3 == 2;
-        if (is_beside) move_queued_r1_by_a_millimetre();
+        if (is_beside) {
+            core_->send(SIGSTOP);
+            EXPECT_TRUE(eventually([&] {
+                const ProgramReport report = program_report(*segment_view_);
+                return report.queued == report.ring_records;
+            }));
+            move_queued_r1_by_a_millimetre();
+            core_->send(SIGCONT);
+        }
         for (int i = 0; i < kMutationsInARound && !is_beside; ++i) {
             const RecordRing ring = segment_view_->record_ring();
             auto* bytes = reinterpret_cast<unsigned char*>(ring.records);

@@ -6,6 +6,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "hmi/cli/program_sight.hpp"
+#include "hmi/gcode/code_groups.hpp"
+#include "hmi/report/program_modes.hpp"
 #include "shared/base/message_text.hpp"
 #include "shared/wording/wording.hpp"
 
@@ -126,6 +129,118 @@ TEST(ProgramText, LeavesOutWhatIsNoCodeAndNoNumber) {
     EXPECT_TRUE(json["to_go"].is_null());
     report.modes->zero[0] = 1e300;
     EXPECT_FALSE(program_text(report, {}, &profile).empty());
+}
+
+TEST(ProgramText, KnowsTheActiveCodesOfTheReaderAndNoOthers) {
+    ProgramModes modes{};
+    for (int code = -1; code <= 1'001; ++code) {
+        const gcode::CodeEntry entry = gcode::g_code_entry(code);
+        const bool is_active =
+            entry.standing == gcode::CodeStanding::known && entry.group != gcode::CodeGroup::once;
+        modes.g_codes.fill(-1);
+        modes.m_codes.fill(-1);
+        modes.g_codes[3] = static_cast<std::int16_t>(code);
+        EXPECT_EQ(!report::codes_text(modes).empty(), is_active) << code;
+        EXPECT_EQ(!report::system_text(modes).empty(), is_active && entry.group == gcode::CodeGroup::system)
+            << code;
+        modes.g_codes[3] = -1;
+        modes.m_codes[1] = static_cast<std::int16_t>(code);
+        const auto group = gcode::m_code_entry(code).group;
+        const bool is_mode = gcode::m_code_entry(code).standing == gcode::CodeStanding::known &&
+                             (group == gcode::CodeGroup::spindle || group == gcode::CodeGroup::coolant ||
+                              code == 48 || code == 49);
+        EXPECT_EQ(!report::codes_text(modes).empty(), is_mode) << code;
+    }
+}
+
+TEST(ProgramText, LeavesOutEachNumberThatNoProgramHas) {
+    const Profile profile;
+    for (const double wrong :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300, -1e300}) {
+        const auto with = [&](auto change) {
+            ProgramReport report = told_report();
+            change(*report.modes);
+            return report;
+        };
+        const ProgramReport feed = with([&](ProgramModes& modes) { modes.feed = wrong; });
+        EXPECT_NE(program_text(feed, {}, &profile).find("M3; S 0, T 0\n"), std::string::npos);
+        EXPECT_TRUE(program_json(feed, {}, &profile)["modes"]["feed"].is_null());
+        const ProgramReport speed = with([&](ProgramModes& modes) { modes.speed_rpm = wrong; });
+        EXPECT_NE(program_text(speed, {}, &profile).find("M3; F 0.25, T 0\n"), std::string::npos);
+        EXPECT_TRUE(program_json(speed, {}, &profile)["modes"]["speed_rpm"].is_null());
+        const ProgramReport turned = with([&](ProgramModes& modes) { modes.rotation_deg = wrong; });
+        EXPECT_EQ(program_text(turned, {}, &profile), program_text(told_report(), {}, &profile));
+        EXPECT_TRUE(program_json(turned, {}, &profile)["modes"]["rotation_deg"].is_null());
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+            const ProgramReport zero = with([&](ProgramModes& modes) { modes.zero[k] = wrong; });
+            EXPECT_EQ(program_text(zero, {}, &profile).find("zero"), std::string::npos) << k;
+            EXPECT_TRUE(program_json(zero, {}, &profile)["modes"]["zero"].is_null()) << k;
+            const ProgramReport end = with([&](ProgramModes& modes) { modes.end[k] = wrong; });
+            EXPECT_EQ(program_text(end, {}, &profile).find("to go"), std::string::npos) << k;
+            EXPECT_TRUE(program_json(end, {}, &profile)["to_go"].is_null()) << k;
+        }
+    }
+    ProgramReport report = told_report();
+    report.modes->tool = -5;
+    report.modes->g_codes[1] = 541;
+    EXPECT_NE(program_text(report, {}, &profile).find("modes      G2 M3; F 0.25, S 0\nto go"),
+              std::string::npos)
+        << program_text(report, {}, &profile);
+    EXPECT_TRUE(program_json(report, {}, &profile)["modes"]["tool"].is_null());
+    EXPECT_TRUE(program_json(report, {}, &profile)["modes"]["system"].is_null());
+}
+
+// After a stop in a cut the distance would grow, to an end that nobody goes to.
+TEST(ProgramText, TellsNoDistanceOnceTheMachineGoesThereNoMore) {
+    const Profile profile;
+    for (std::uint8_t number = 0; number < kMachineStateCount; ++number) {
+        CoreStatus machine{};
+        machine.state = static_cast<MachineState>(number);
+        const bool goes_on = machine.state != MachineState::stopping &&
+                             machine.state != MachineState::alarm &&
+                             machine.state != MachineState::backing_off;
+        EXPECT_EQ(program_json(told_report(), machine, &profile)["to_go"].is_object(), goes_on)
+            << name_of(machine.state);
+    }
+}
+
+/// Who tells comes only with the look of this number; 0: never.
+ProgramSight seen_after(int look_with_modes, int* looks) {
+    ProgramSight first{{}, told_report()};
+    first.program.modes->sequence = first.program.status.sequence - 1;
+    *looks = 0;
+    return told_sight(first, [=]() -> std::optional<ProgramSight> {
+        if (++*looks != look_with_modes) return first;
+        ProgramSight told{{}, told_report()};
+        told.machine.heartbeat = 77;
+        return told;
+    });
+}
+
+TEST(ProgramSight, GivesWhoTellsWhatHoldsAMoment) {
+    int looks = 0;
+    const ProgramSight told = seen_after(3, &looks);
+    EXPECT_EQ(looks, 3);
+    EXPECT_EQ(told.program.modes->sequence, 42U);
+    EXPECT_EQ(told.machine.heartbeat, 77U) << "both of the same moment";
+    EXPECT_EQ(seen_after(0, &looks).program.modes->sequence, 39U);
+    EXPECT_EQ(looks, 10) << "but not for ever";
+}
+
+TEST(ProgramSight, LooksOnceWhereNothingIsToCome) {
+    int looks = 0;
+    const auto look = [&]() -> std::optional<ProgramSight> {
+        ++looks;
+        return std::nullopt;
+    };
+    (void)told_sight({{}, told_report()}, look);
+    ProgramSight none{};
+    none.program.status.is_running = 0;
+    (void)told_sight(none, look);
+    EXPECT_EQ(looks, 0) << "told already, or no program";
+    none.program = held_report(ProgramHold::none);
+    EXPECT_EQ(told_sight(none, look).program.status.line, 8U);
+    EXPECT_EQ(looks, 1) << "nobody is there who would tell";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -180,6 +181,33 @@ TEST(ModesTrail, ForgetsTheOldestWhereItMayKeepNoMore) {
     const auto told = sut.trail().at(45);
     ASSERT_TRUE(told);
     EXPECT_EQ(told->feed, 144.0);
+}
+
+// Lines shorter than a pulse: the core is further behind than there are ways to keep.
+TEST(ModesTrail, KnowsWhatHoldsForWaysThatItHasForgotten) {
+    std::string text = "G21 G90 F100\n";
+    for (int i = 0; i < 50; ++i) {
+        if (i == 20) text += "G55 F200\n";
+        text += "G1 X" + std::to_string(40 + i % 2) + "\n";
+    }
+    ReadAhead sut{text + "M2\n", 10};
+    EXPECT_LE(sut.trail().way_count(), 10U);
+    const auto told = sut.trail().at(5);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->feed, 100.0);
+    EXPECT_TRUE(has_code(*told, 540));
+    EXPECT_EQ(told->sequence, 20U) << "as far as that holds";
+    EXPECT_EQ(told->line, 0U);
+    for (const double end : told->end) EXPECT_TRUE(std::isnan(end));
+    const auto second = sut.trail().at(25);
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->feed, 200.0);
+    EXPECT_TRUE(has_code(*second, 550));
+    EXPECT_GE(second->sequence, 25U);
+    const auto kept = sut.trail().at(second->sequence + 1);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->feed, 200.0);
+    EXPECT_FALSE(std::isnan(kept->end[0])) << "of the first way that is kept";
 }
 
 TEST(ModesTrail, KeepsNothingBehindTheMachine) {

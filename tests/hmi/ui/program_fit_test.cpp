@@ -3,15 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QLabel>
 #include <QListWidget>
+#include <QScopeGuard>
 #include <QSpinBox>
 #include <QTabWidget>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <string>
 
+#include "hmi/offsets/offsets_file.hpp"
 #include "hmi/ui/language.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "tests/hmi/ui/fit_audit.hpp"
@@ -119,6 +124,66 @@ TEST_F(ProgramFit, WithAllThatHoldsInAProgram) {
         return machine_view().runs_program();
     }));
     ASSERT_NO_FATAL_FAILURE(expect_fit("modes"));
+
+    // What is told is old, and its words are another process's.
+    const auto shown_with = [&](const auto& change) {
+        ProgramModes changed = modes;
+        change(changed);
+        write_record(segment_->header().program.modes, changed);
+        ++status.heartbeat;
+        write_record(segment_->header().status, status);
+        window_->refresh();
+        return part<QLabel>("program_modes").text();
+    };
+    const QString stale = shown_with([](ProgramModes& told) { told.sequence = told.line = 8; });
+    EXPECT_TRUE(stale.section('\n', 0, 0).endsWith("F 1234.5678  S 24000  T 12 (told of line 8)"))
+        << stale.toStdString();
+    EXPECT_TRUE(stale.section('\n', 2, 2).startsWith(QString::fromUtf8("To go: – · queue: ")))
+        << stale.toStdString();
+    const QString wrong = shown_with([](ProgramModes& told) {
+        told.g_codes[5] = 541;
+        told.feed = 1e300;
+        told.speed_rpm = std::numeric_limits<double>::quiet_NaN();
+        told.end[2] = std::numeric_limits<double>::infinity();
+    });
+    EXPECT_TRUE(wrong.startsWith("G2 G18 G20 G91 G94 G61.1 G40 G43.1 G99 G91.1 G13.1 M3 M7 M8 M48   T 12\n"))
+        << wrong.toStdString();
+    EXPECT_TRUE(wrong.section('\n', 1, 1).startsWith(QString::fromUtf8("To go: – · queue: ")))
+        << wrong.toStdString();
+    const QString turned = shown_with([](ProgramModes& told) { told.rotation_deg = 1e300; });
+    EXPECT_FALSE(turned.contains("turned")) << turned.toStdString();
+    const QString nowhere = shown_with([](ProgramModes& told) { told.zero[1] = -1e300; });
+    EXPECT_FALSE(nowhere.contains("Zero of")) << nowhere.toStdString();
+    status.state = MachineState::stopping;
+    const QString given_up = shown_with([](ProgramModes&) {});
+    EXPECT_TRUE(given_up.contains(QString::fromUtf8("To go: – · "))) << given_up.toStdString();
+}
+
+// Where a program begins, and in a folder whose path is longer than the page is wide.
+TEST_F(ProgramFit, WithWorkOffsetsOfALongPath) {
+    const QByteArray before = qgetenv("PSICARVE_STATE");
+    const std::string folder = file("a_folder_whose_path_has_no_spaces_in_it") +
+                               "/and_one_below_it_with_an_even_longer_name_0123456789_0123456789";
+    std::filesystem::create_directories(folder);
+    qputenv("PSICARVE_STATE", QByteArray::fromStdString(folder));
+    const auto restored = qScopeGuard([&] { qputenv("PSICARVE_STATE", before); });
+    start_core();
+    open_window();
+    ASSERT_TRUE(click("home"));
+    ASSERT_TRUE(comes_to(MachineState::ready));
+    open_text("G21 G90 F300\nG0 X40 Z41 Y5\nG1 X38\nM2\n");
+    ASSERT_NO_FATAL_FAILURE(expect_fit("at_zero"));
+    gcode::KeptOffsets kept;
+    kept.systems[0].origin.fill(-123.4567);
+    kept.systems[0].rotation_deg = -12.345;
+    const auto read = window_->context().program.program();
+    ASSERT_NE(read->offsets_path.find(folder), std::string::npos) << read->offsets_path;
+    ASSERT_TRUE(offsets::write_offsets({read->offsets_path}, {kept}, read->request.profile.gcode));
+    open_text("G21 G90 F300\nG0 X40 Z41 Y5\nG1 X38\nM2\n");
+    window_->refresh();
+    const QString facts = part<QLabel>("program_facts").text();
+    EXPECT_TRUE(facts.contains(QString::fromUtf8("turned by −12.345°"))) << facts.toStdString();
+    ASSERT_NO_FATAL_FAILURE(expect_fit("offsets"));
 }
 
 }  // namespace

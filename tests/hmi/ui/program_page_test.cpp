@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScopeGuard>
 #include <QSpinBox>
 
 #include <sstream>
@@ -132,13 +133,22 @@ TEST_F(ProgramPageOf, RunsAProgramToItsEndAndFollowsItsLine) {
 }
 
 TEST_F(ProgramPageOf, SaysWhatHoldsWhereTheMachineIs) {
+    const QByteArray state = qgetenv("PSICARVE_STATE");
+    qputenv("PSICARVE_STATE", QByteArray::fromStdString(file("")));
+    const auto restored = qScopeGuard([&] { qputenv("PSICARVE_STATE", state); });
     ASSERT_NO_FATAL_FAILURE(have_homed_window());
     show_page("program_page");
     ASSERT_TRUE(
         opens("G21 G90 F300 G10 L2 P2 X30 Y4\nG0 X40 Z41 Y5\nG55 G91 G1 X-1\nM0\nG54 G90 G0 X45\nM2\n"));
     window_->refresh();
-    EXPECT_TRUE(text_of("program_facts").contains("Begins in G54 at the machine's zero."))
+    const QString whose = QString::fromStdString(desk().program()->offsets_path);
+    ASSERT_FALSE(whose.isEmpty());
+    EXPECT_TRUE(text_of("program_facts")
+                    .contains(QStringLiteral("Begins in G54 at the machine's zero, as ") +
+                              (whose.size() <= 40 ? whose : QChar{0x2026} + whose.right(39)) + " has it."))
         << text_of("program_facts").toStdString();
+    EXPECT_TRUE(part<QLabel>("program_facts").toolTip().contains(whose))
+        << part<QLabel>("program_facts").toolTip().toStdString();
     EXPECT_FALSE(part<QLabel>("program_modes").isVisible());
     ASSERT_TRUE(click("program_start"));
     ASSERT_TRUE(holds_in_line(4, ProgramHold::program));

@@ -12,7 +12,8 @@ namespace {
 
 /// Ends that are nearer might change places when they are rounded, and a short arc become a whole turn.
 constexpr double kLeastGapPulses = 16.0;
-constexpr double kLeastRadiusPulses = 3.0;
+/// Of a smaller circle the judge of pins cannot tell how much was gone along.
+constexpr double kLeastRadiusPulses = 16.0;
 constexpr double kMostRadiusPulses = 1 << 29;
 /// By which the core lets both ends' radii differ, less a rounding.
 constexpr double kMostApartPulses = 0.999;

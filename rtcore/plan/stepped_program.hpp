@@ -43,6 +43,7 @@ private:
     void count_groups();
     GroupLimits line_speeds() const;
     GroupLimits arc_speeds() const;
+    double end_steps() const;
     double length_pulses(bool is_arc) const;
     void keep_to(double speed_per_s);
 

@@ -148,6 +148,36 @@ TEST_F(ProgramPins, OfADrawingCarveItWithTheTip) {
     EXPECT_GT(cuts, 3000U);
 }
 
+// Lines, arcs of both heads, a whole circle, several turns, a helix that stays chords.
+constexpr const char* kStepped =
+    "G21 G90 G94 F600\nM3\nG0 X50 Z50 Y40 C0\nG1 X48 Y41\nG17 G3 X46.003 Y43.003 I-2 J0\nG2 J1 P2\n"
+    "G19 G2 Y45.003 Z48 J2 K0\nG4 P0.05\nG1 Z47.5\nG1 Y44 Z47 C20\nG17 G3 X45 Y45 I-1 J0 Z47.5\nG64 P.05\n"
+    "G1 X44.5\nG0 X50\nM5\nM2\n";
+
+TEST_F(ProgramPins, StepByStepAreSimulatedRecordedAndJudged) {
+    Profile profile;
+    profile.gcode.is_stepwise = true;
+    write("stepwise.toml", profile_to_toml(profile));
+    const std::string path = program("stepped.ngc", kStepped);
+    const Outcome done = run({"gcode", "run", path, "--simulate", "--trace", file("pins.trace"), "--json",
+                              "--profile", file("stepwise.toml")});
+    ASSERT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_EQ(done.json()["verification"]["verified"], true) << done.out;
+    EXPECT_EQ(done.json()["starvations"], 0) << done.out;
+    const auto judged = [&](const std::string& text) {
+        return psicarve({"verify", file("pins.trace"), "--program", program("other.ngc", text), "--profile",
+                         file("stepwise.toml")})
+            .exit_code;
+    };
+    EXPECT_EQ(judged(kStepped), 0);
+    const std::vector<std::array<std::string, 2>> changes{{"I-2 J0", "I0 J2"},
+                                                          {"G2 J1 P2", "G2 J1 P1"},
+                                                          {"G2 J1 P2", "G3 J1 P2"},
+                                                          {"X48 Y41", "X48.01 Y41"},
+                                                          {"F600", "F60"}};
+    for (const auto& [from, to] : changes) EXPECT_EQ(judged(changed(kStepped, from, to)), 6) << from << to;
+}
+
 // A stream is run as it comes, but a drawn way only once all of it is known to be right.
 TEST_F(ProgramPins, OfAStreamHaveNothingOfADrawnWayThatIsRefused) {
     const std::string begin = "G21 G90 F900\nG0 X40 Z55 C0 Y40\nG61\nG12.1\n";

@@ -60,6 +60,27 @@ public:
         step.is_rapid = is_rapid;
         return *this;
     }
+    /// By point-by-point comparison, of r1, y or both.
+    Script& stepped_line(const Pulses4& delta_pulses, double seconds = 0.0) {
+        way(delta_pulses, 0.0, seconds);
+        ProgramStep& step = steps.back();
+        step.shape = cycle::OrderShape::stepped;
+        for (std::size_t k = 0; k < kAxisCount; ++k)
+            if (delta_pulses[k] != 0) step.stepped_axes = static_cast<std::uint8_t>(step.stepped_axes | 1U << k);
+        return *this;
+    }
+    /// The same of r1 and y, about a centre so far from where it begins; without a way a whole turn.
+    Script& stepped_arc(const Pulses4& delta_pulses, const std::array<std::int64_t, 2>& to_centre,
+                        bool is_counterclockwise, double seconds = 0.0) {
+        const std::array<std::int64_t, 2> centre{at_[0] + to_centre[0], at_[kAxisCount - 1] + to_centre[1]};
+        way(delta_pulses, 0.0, seconds);
+        ProgramStep& step = steps.back();
+        step.kind = MotionKind::arc;
+        step.shape = is_counterclockwise ? cycle::OrderShape::arc : cycle::OrderShape::clockwise;
+        step.stepped_axes = 0b1001;
+        step.centre_pulses = centre;
+        return *this;
+    }
     Script& dwell(double seconds) {
         add(MotionKind::dwell).seconds = seconds;
         return *this;

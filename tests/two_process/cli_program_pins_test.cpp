@@ -207,7 +207,7 @@ TEST_F(ProgramPins, StepByStepAreThoseOfOtherMachinesToo) {
                               file("late.trace"), "--profile", file("worn.toml")});
     ASSERT_EQ(late.exit_code, 0) << late.error;
     const std::string rest = program("rest.ngc",
-                                     "G21 G90 F600\nG0 X59.7475 Z59.7475\nC0\nY43.003\nX46.003 Z50\n"
+                                     "G21 G90 F600\nG61\nG0 X60 Z60\nC0\nY43.003\nX46.003 Z50\nG64\n"
                                      "G19 G2 Y45.003 Z48 J2 K0\nG4 P0.05\nG1 Z47.5\nG1 Y44 Z47 C20\n"
                                      "G17 G3 X45 Y45 I-1 J0 Z47.5\nG64 P.05\nG1 X44.5\nG0 X50\nM2\n");
     const Outcome judged =

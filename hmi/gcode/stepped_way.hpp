@@ -31,8 +31,8 @@ public:
     std::uint8_t line_axes(const CanonRecord& record, AxisMask letters) const noexcept;
     /// Nothing: the arc stays chords. So it does as a helix, where psi or a second head moves with it, where
     /// its head and y differ in pulses per mm, where its ends are not, to a pulse, as far from the centre as
-    /// each other, where ends that differ are nearer to each other than 16 pulses, and within a pulse of
-    /// where an axis may not be.
+    /// each other, where ends that differ are nearer to each other than 16 pulses, where its radius
+    /// is less, and within two pulses of where an axis may not be.
     std::optional<SteppedArc> arc(const CanonRecord& record) const noexcept;
 
 private:

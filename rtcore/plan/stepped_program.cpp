@@ -107,18 +107,18 @@ GroupLimits SteppedProgram::line_speeds() const {
 }
 
 // With V steps a second at the angle t an axis moves at V*sin(t)/(|sin(t)| + |cos(t)|): at most V, its
-// acceleration at most V^2/R and the ramp's. At a circle's end the axis that runs waits for three steps of the
-// other, h steps apart: to lose a step in 2h of them, and to change its pace for that within two steps, takes
-// V^2/16h^2. Ramp, circle and end get a third each of what the axis has.
+// acceleration at most V^2/R and the ramp's. At a circle's end the axis that runs waits for three steps of
+// the other, h steps apart: to lose a step in 2h of them, and to change its pace for that within two steps,
+// takes V^2/16h^2. Ramp, circle and end get a third each of what the axis has.
 GroupLimits SteppedProgram::arc_speeds() const {
     GroupLimits speeds{limits_->max_iterations_per_s, limits_->max_iterations_per_s, 0.0};
     for (const std::size_t k : plane_.axes) {
         const AxisMotion& axis = limits_->axes[k];
         const double third = axis.accel_pps2 / 3.0;
         speeds.start_per_s = std::min(speeds.start_per_s, axis.start_stop_pps);
-        speeds.max_per_s = std::min(
-            {speeds.max_per_s, axis.speed_pps, std::sqrt(third * static_cast<double>(plane_.radius_pulses)),
-             std::max(axis.start_stop_pps, 4.0 * end_steps() * std::sqrt(third))});
+        speeds.max_per_s = std::min({speeds.max_per_s, axis.speed_pps,
+                                     std::sqrt(third * static_cast<double>(plane_.radius_pulses)),
+                                     std::max(axis.start_stop_pps, 4.0 * end_steps() * std::sqrt(third))});
         speeds.accel_per_s2 = speeds.accel_per_s2 > 0.0 ? std::min(speeds.accel_per_s2, third) : third;
     }
     speeds.start_per_s = std::min(speeds.start_per_s, speeds.max_per_s);

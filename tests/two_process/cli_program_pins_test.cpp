@@ -178,6 +178,43 @@ TEST_F(ProgramPins, StepByStepAreSimulatedRecordedAndJudged) {
     for (const auto& [from, to] : changes) EXPECT_EQ(judged(changed(kStepped, from, to)), 6) << from << to;
 }
 
+// At an end of a circle one axis waits for three steps of the other; here they are three of its own apart.
+TEST_F(ProgramPins, StepByStepAskNoMoreOfAMotorThanItHasAtACirclesEnd) {
+    write("stepwise.toml", "[gcode]\ninterpolation = \"stepwise\"\n");
+    const std::string path = program("end.ngc",
+                                     "G21 G90 F1200\nG0 X49.3281 Z52.3024 Y34.7349 C0\n"
+                                     "G19 G2 Z53.7814 Y36.6004 K2.8974 J-0.778\nM2\n");
+    const Outcome done = run({"gcode", "run", path, "--simulate", "--profile", file("stepwise.toml")});
+    EXPECT_EQ(done.exit_code, 0) << done.out << done.error;
+}
+
+// On a lathe's letters, in its plane; with screws that have backlash; and from a line on.
+TEST_F(ProgramPins, StepByStepAreThoseOfOtherMachinesToo) {
+    const std::string stepwise = "[gcode]\ninterpolation = \"stepwise\"\n";
+    write("turning.toml", stepwise + "letters = \"turning\"\n");
+    write("worn.toml", "[axis.r1]\nbacklash_mm = 0.02\n[axis.y]\nbacklash_mm = 0.03\n" + stepwise);
+    const std::string turned = program("turned.ngc",
+                                       "G21 G18 G90 F600\nG0 X50 U50 Z40 C0\nG1 X48 Z41\nG2 X46 Z43 I-2 K0\n"
+                                       "G3 X48 Z41 I0 K-2 P2\nG1 U49\nG1 U48.5 Z41.5\nM2\n");
+    const std::string stepped = program("stepped.ngc", kStepped);
+    const std::vector<std::vector<std::string>> runs{{turned, "turning.toml"}, {stepped, "worn.toml"}};
+    for (const auto& of : runs) {
+        const Outcome done = run({"gcode", "run", of[0], "--simulate", "--json", "--profile", file(of[1])});
+        EXPECT_EQ(done.exit_code, 0) << done.error;
+        EXPECT_EQ(done.json()["verification"]["verified"], true) << done.out;
+    }
+    const Outcome late = run({"gcode", "run", stepped, "--simulate", "--from-line", "7", "--trace",
+                              file("late.trace"), "--profile", file("worn.toml")});
+    ASSERT_EQ(late.exit_code, 0) << late.error;
+    const std::string rest = program("rest.ngc",
+                                     "G21 G90 F600\nG61\nG0 X60 Z60\nC0\nY43.003\nX46.003 Z50\nG64\n"
+                                     "G19 G2 Y45.003 Z48 J2 K0\nG4 P0.05\nG1 Z47.5\nG1 Y44 Z47 C20\n"
+                                     "G17 G3 X45 Y45 I-1 J0 Z47.5\nG64 P.05\nG1 X44.5\nG0 X50\nM2\n");
+    const Outcome judged =
+        psicarve({"verify", file("late.trace"), "--program", rest, "--profile", file("worn.toml")});
+    EXPECT_EQ(judged.exit_code, 0) << judged.out;
+}
+
 // A stream is run as it comes, but a drawn way only once all of it is known to be right.
 TEST_F(ProgramPins, OfAStreamHaveNothingOfADrawnWayThatIsRefused) {
     const std::string begin = "G21 G90 F900\nG0 X40 Z55 C0 Y40\nG61\nG12.1\n";

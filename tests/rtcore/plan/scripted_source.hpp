@@ -66,7 +66,8 @@ public:
         ProgramStep& step = steps.back();
         step.shape = cycle::OrderShape::stepped;
         for (std::size_t k = 0; k < kAxisCount; ++k)
-            if (delta_pulses[k] != 0) step.stepped_axes = static_cast<std::uint8_t>(step.stepped_axes | 1U << k);
+            if (delta_pulses[k] != 0)
+                step.stepped_axes = static_cast<std::uint8_t>(step.stepped_axes | 1U << k);
         return *this;
     }
     /// The same of r1 and y, about a centre so far from where it begins; without a way a whole turn.

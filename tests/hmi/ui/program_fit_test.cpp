@@ -57,6 +57,14 @@ protected:
                 take_picture(where);
             }
         }
+        // What follows reads its words, whichever languages were looked at.
+        part<QAction>("language_en").trigger();
+        ASSERT_TRUE(comes_true([&] { return used_language() == Language::english; }));
+        show_page("program_page");
+        for (int look = 0; look < 5; ++look) {
+            window_->refresh();
+            QApplication::processEvents();
+        }
     }
     void open_text(const std::string& text) {
         const std::string path =

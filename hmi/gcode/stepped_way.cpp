@@ -42,7 +42,9 @@ std::optional<PulsePoint> centre_on_pulses(const PulsePoint& from, const PulsePo
     std::optional<PulsePoint> best;
     double least = INFINITY;
     for (int n = 0; n < 9; ++n) {
-        const PulsePoint at{middle[0] + n % 3 - 1, middle[1] + n / 3 - 1};
+        const int column = n % 3 - 1;
+        const int row = n / 3 - 1;
+        const PulsePoint at{middle[0] + column, middle[1] + row};
         const double around = apart(begin, at);
         if (std::abs(apart(end, at) - around) > kMostApartPulses) continue;
         double off = 0.0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/modes_teller.hpp"
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 
 namespace psicarve::cli {
 namespace {
@@ -23,7 +25,8 @@ void ModesTeller::follow(const ProgramReport& report) {
     // Of a way that the trail has forgotten.
     if (known && is_ours && known->line == 0) known->line = report.status.line;
     const ProgramModes now = known.value_or(unknown_modes());
-    if (has_told_ && std::memcmp(&now, &told_, sizeof now) == 0) return;
+    using Words = std::array<std::uint64_t, sizeof now / sizeof(std::uint64_t)>;
+    if (has_told_ && std::bit_cast<Words>(now) == std::bit_cast<Words>(told_)) return;
     writer_.tell(now);
     told_ = now;
     has_told_ = true;

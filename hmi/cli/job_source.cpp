@@ -18,6 +18,7 @@
 #include "hmi/cli/tool_choice.hpp"
 #include "hmi/cli/turn_choice.hpp"
 #include "hmi/flat/load_model.hpp"
+#include "hmi/machine/core_profile.hpp"
 #include "hmi/model/turned_mesh.hpp"
 #include "hmi/rough/roughing.hpp"
 #include "hmi/trace/carried_job.hpp"
@@ -287,12 +288,7 @@ std::string chosen_profile_path(const CommonOptions& common) {
 Result<Profile> chosen_profile(const CommonOptions& common) {
     const std::string path = chosen_profile_path(common);
     if (path.empty()) return Profile{};
-    if (!is_snapshot_file(path)) return load_profile(path);
-    const auto snapshot = load_snapshot(path);
-    if (!snapshot) return snapshot.error();
-    const auto job = JobView::check(snapshot->job_blob);
-    if (!job) return bad_input(path + ": holds no job, and so no profile");
-    return job_profile(*job);
+    return machine::profile_in(path);
 }
 
 Result<std::optional<Profile>> readable_profile(const CommonOptions& common) {

@@ -7,7 +7,7 @@
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/cli/job_source.hpp"
+#include "hmi/cli/known_profile.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/operator_break.hpp"
 #include "hmi/cli/watch_loop.hpp"
@@ -40,11 +40,10 @@ struct PinsOptions {
 
 using Rows = std::vector<session::PinRow>;
 
-/// Without pins when the core's profile is not the one that we have.
-Rows rows_of(machine::MachineLink& link, const std::optional<Profile>& chosen) {
-    Rows rows = session::pin_rows(chosen.value_or(Profile{}));
-    const bool is_known = chosen && link.segment().header().core_profile_hash.load() == profile_hash(*chosen);
-    for (session::PinRow& row : rows) row.pin = is_known ? row.pin : 0;
+/// Without pins where the core's profile is not known.
+Rows rows_of(const std::optional<Profile>& profile) {
+    Rows rows = session::pin_rows(profile.value_or(Profile{}));
+    for (session::PinRow& row : rows) row.pin = profile ? row.pin : 0;
     return rows;
 }
 
@@ -133,15 +132,15 @@ Result<int> test_output(const CommonOptions& common, machine::MachineLink& link,
 Result<int> pins(const CommonOptions& common, const PinsOptions& options) {
     const auto lease = lease_argument(options.lease_s, kJogLease);
     if (!lease) return lease.error();
-    const auto chosen = readable_profile(common);
-    if (!chosen) return chosen.error();
+    auto known = KnownProfile::read(common);
+    if (!known) return known.error();
     auto link = link_to_core(common);
     if (!link) return link.error();
     if (!options.signal.empty()) return test_output(common, *link, options, *lease);
     const auto show = [&](bool as_line) -> Result<std::string> {
         const auto status = link->status();
         if (!status) return status.error();
-        const Rows rows = rows_of(*link, *chosen);
+        const Rows rows = rows_of(known->of(*link));
         if (common.json) return levels_json(rows, *status);
         const std::string warning =
             status->is_port_silent != 0 ? std::string{kSilentPortRemedy} + "\n" : std::string{};

@@ -10,6 +10,7 @@
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/gcode/axis_letters.hpp"
+#include "hmi/machine/core_profile.hpp"
 #include "shared/machine/message_argument.hpp"
 #include "shared/wording/wording.hpp"
 
@@ -38,8 +39,12 @@ private:
 
 Result<Profile> profile_of_core(const machine::MachineLink& link, const CommonOptions& common) {
     auto profile = chosen_profile(common);
+    const std::uint64_t hash = link.segment().header().core_profile_hash.load();
+    if (profile && profile_hash(*profile) == hash) return profile;
+    if (common.profile.empty()) {
+        if (auto found = machine::find_core_profile(link.core_pid().value_or(0), hash)) return *found;
+    }
     if (!profile) return profile;
-    if (link.segment().header().core_profile_hash.load() == profile_hash(*profile)) return profile;
     const std::string path = chosen_profile_path(common);
     return Error{ErrorCode::machine_refused, "the core has another profile than " +
                                                  (path.empty() ? "the built-in one" : path) +

@@ -15,7 +15,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/escaped_output.hpp"
 #include "hmi/cli/exit_code.hpp"
-#include "hmi/cli/job_source.hpp"
+#include "hmi/cli/known_profile.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/program_sight.hpp"
 #include "hmi/cli/program_text.hpp"
@@ -47,13 +47,6 @@ struct StatusOptions {
     bool watch = false;
     std::string state_folder;
 };
-
-/// The core's profile, when the one that we have is the same: only then mm and degrees are valid.
-std::optional<Profile> known_profile(machine::MachineLink& link, const std::optional<Profile>& chosen) {
-    if (!chosen || link.segment().header().core_profile_hash.load() != profile_hash(*chosen))
-        return std::nullopt;
-    return chosen;
-}
 
 /// The current pass of a running job, if it has several.
 class RunningPass {
@@ -210,8 +203,8 @@ Error with_last_state(machine::MachineLink& link, Error error) {
 }
 
 Result<int> show_status(const CommonOptions& common, const StatusOptions& options) {
-    const auto chosen = readable_profile(common);
-    if (!chosen) return chosen.error();
+    auto known = KnownProfile::read(common);
+    if (!known) return known.error();
     UnfinishedPieces pieces{options.state_folder};
     auto link = machine::MachineLink::attach(common.segment, common.group);
     if (!link) return tell_without_core(common, nullptr, link.error(), pieces);
@@ -222,7 +215,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         const CoreStatus& status = sight->machine;
         const ProgramReport& program = sight->program;
         const std::string pass = running.name(*link, status);
-        const auto profile = known_profile(*link, *chosen);
+        const auto profile = known->of(*link);
         // A view that is refreshed soon does not wait for a disk, except once.
         const auto patience = options.watch ? std::chrono::milliseconds{0} : kDiskPatience;
         if (common.json)

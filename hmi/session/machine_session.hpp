@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "hmi/machine/core_profile.hpp"
 #include "hmi/machine/forget_piece.hpp"
 #include "hmi/machine/loose_work.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/session/background_queue.hpp"
-#include "hmi/session/core_profile.hpp"
 #include "hmi/session/jog_hand.hpp"
 #include "hmi/session/machine_view.hpp"
 #include "hmi/session/message_log.hpp"
@@ -40,7 +40,7 @@ struct SessionOptions {
     std::string state_folder{};  ///< where cores keep unfinished pieces; empty: their default folders
     /// Searches files for a core's profile; on a thread of its own, as their disk may hang.
     std::function<std::optional<Profile>(std::uint32_t core_pid, std::uint64_t hash)> find_profile =
-        find_core_profile;
+        machine::find_core_profile;
 };
 
 /// The machine for a window: attaches whenever there is a segment, poll() reads it, orders go to it. No call

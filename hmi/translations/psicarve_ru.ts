@@ -704,6 +704,10 @@
             <translation>Новую заготовку надо начинать со слоя 1.</translation>
         </message>
         <message>
+            <source>A program of another process runs. %1</source>
+            <translation>Идёт программа другого процесса. %1</translation>
+        </message>
+        <message>
             <source>A program that runs keeps what it was started with</source>
             <translation>Идущая программа сохраняет то, с чем она запущена</translation>
         </message>
@@ -3231,10 +3235,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Program</source>
             <translation>G-код</translation>
-        </message>
-        <message>
-            <source>Program %1 of another process runs. %2</source>
-            <translation>Идёт программа %1 другого процесса. %2</translation>
         </message>
         <message>
             <source>Program begun</source>

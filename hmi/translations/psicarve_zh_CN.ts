@@ -704,6 +704,10 @@
             <translation>新毛坯必须从第 1 层开始。</translation>
         </message>
         <message>
+            <source>A program of another process runs. %1</source>
+            <translation>另一进程的程序正在运行。%1</translation>
+        </message>
+        <message>
             <source>A program that runs keeps what it was started with</source>
             <translation>运行中的程序保持启动时的选择</translation>
         </message>
@@ -3230,10 +3234,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Program</source>
             <translation>程序</translation>
-        </message>
-        <message>
-            <source>Program %1 of another process runs. %2</source>
-            <translation>另一进程的程序 %1 正在运行。%2</translation>
         </message>
         <message>
             <source>Program begun</source>

@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "hmi/session/core_profile.hpp"
+#include "hmi/session/profile_differences.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/long_names.hpp"
 #include "hmi/ui/words.hpp"

@@ -32,12 +32,11 @@ QString ProgramPage::state_text() const {
     const auto name = [&desk] { return QString::fromStdString(desk.started_name()); };
     if (report.status.is_running != 0 && context_.machine.view().is_heard()) {
         const QString place = words(program::place_phrase(report.status, context_.machine.view().state()));
-        QString text =
-            desk.is_shown(report.status)  ? tr("The program runs. %1").arg(place)
-            : desk.is_ours(report.status) ? tr("%1 runs. %2").arg(name(), place)
-            : desk.is_block() && desk.is_under_way()
-                ? tr("The typed block runs. %1").arg(place)
-                : tr("Program %1 of another process runs. %2").arg(report.status.program).arg(place);
+        QString text = desk.is_shown(report.status)  ? tr("The program runs. %1").arg(place)
+                       : desk.is_ours(report.status) ? tr("%1 runs. %2").arg(name(), place)
+                       : desk.is_block() && desk.is_under_way()
+                           ? tr("The typed block runs. %1").arg(place)
+                           : tr("A program of another process runs. %1").arg(place);
         if (report.progress.program == report.status.program)
             text += QStringLiteral(" · ") + tr("taken up to line %1").arg(report.progress.line);
         if (report.status.starvations > 0)

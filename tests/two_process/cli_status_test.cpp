@@ -29,5 +29,44 @@ TEST_F(Status, TheTableStandsWithinATurnAndItsTurnsAreCounted) {
         << "degrees of another machine";
 }
 
+TEST_F(Status, WhereNoProfileIsNamedTheCoresIsTheOneThatItWasStartedWith) {
+    Profile fine;
+    fine.r1.pulses_per_mm = 500.0;
+    write("fine.toml", profile_to_toml(fine));
+    start_core({"--profile", file("fine.toml")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"jog", "r1", "-3"}).exit_code, 0);
+    const auto status = run({"status", "--json"}).json();
+    EXPECT_DOUBLE_EQ(status["position"]["r1_mm"].get<double>(),
+                     status["position_pulses"]["r1"].get<double>() / 500.0);
+    EXPECT_NE(run({"status"}).out.find("position   r1 56.748 mm (28374), "), std::string::npos)
+        << run({"status"}).out;
+    EXPECT_EQ(run({"pins"}).out, run({"pins", "--profile", file("fine.toml")}).out);
+    write("default.toml", profile_to_toml(Profile{}));
+    EXPECT_EQ(run({"status", "--json", "--profile", file("default.toml")}).json()["position"], nullptr)
+        << "the one that is named counts";
+    write("fine.toml", profile_to_toml(Profile{}));
+    EXPECT_EQ(run({"status", "--json"}).json()["position"], nullptr) << "changed since";
+}
+
+TEST_F(Status, AProgramTakesTheProfileThatItsCoreWasStartedWith) {
+    Profile fine;
+    fine.r1.pulses_per_mm = 500.0;
+    write("fine.toml", profile_to_toml(fine));
+    write("to.ngc", "G21 G90 F300\nG0 X40.002\nM2\n");
+    start_core({"--profile", file("fine.toml")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const auto r1_pulses = [&] { return run({"status", "--json"}).json()["position_pulses"]["r1"]; };
+    const Outcome done = run({"gcode", "run", file("to.ngc")});
+    EXPECT_EQ(done.exit_code, 0) << done.error;
+    EXPECT_EQ(r1_pulses(), 20'001);
+    write("fine.toml", profile_to_toml(Profile{}));
+    const Outcome unknown = run({"gcode", "run", file("to.ngc")});
+    EXPECT_EQ(unknown.exit_code, 4);
+    EXPECT_NE(unknown.error.find("the core has another profile than the built-in one"), std::string::npos)
+        << unknown.error;
+    EXPECT_EQ(r1_pulses(), 20'001);
+}
+
 }  // namespace
 }  // namespace psicarve::test

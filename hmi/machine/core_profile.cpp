@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/session/core_profile.hpp"
+#include "hmi/machine/core_profile.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
+#include "shared/job/job.hpp"
 #include "shared/profile/profile_place.hpp"
+#include "shared/record/snapshot_file.hpp"
 
-namespace psicarve::session {
+namespace psicarve::machine {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,6 +24,15 @@ std::string text_of_process(const fs::path& process, const char* file) {
 }
 
 }  // namespace
+
+Result<Profile> profile_in(const std::string& path) {
+    if (!is_snapshot_file(path)) return load_profile(path);
+    const auto snapshot = load_snapshot(path);
+    if (!snapshot) return snapshot.error();
+    const auto job = JobView::check(snapshot->job_blob);
+    if (!job) return bad_input(path + ": holds no job, and so no profile");
+    return job_profile(*job);
+}
 
 std::string profile_named_in(const std::string& command_line, const std::string& folder) {
     constexpr std::string_view kOption = "--profile";
@@ -44,23 +57,12 @@ std::optional<Profile> find_core_profile(std::uint32_t core_pid, std::uint64_t h
     for (const std::string& place : profile_places()) places.push_back(place);
     for (const std::string& place : places) {
         if (place.empty()) continue;
-        auto read = load_profile(place);
+        auto read = profile_in(place);
         if (read && profile_hash(*read) == hash) return std::move(read).value();
     }
+    // The built-in one, where a default place here has another than the core's user has there.
+    if (Profile built_in; profile_hash(built_in) == hash) return built_in;
     return std::nullopt;
 }
 
-std::vector<Phrase> profile_differences(const Profile& core, const Profile& here, std::size_t most) {
-    const auto of_core = profile_values(core);
-    const auto of_here = profile_values(here);
-    std::vector<Phrase> told;
-    std::size_t count = 0;
-    for (std::size_t key = 0; key < of_core.size(); ++key) {
-        if (of_core[key] == of_here[key] || ++count > most) continue;
-        told.push_back(phrase("%1: core %2, here %3", profile_keys()[key].path, of_core[key], of_here[key]));
-    }
-    if (count > most) told.push_back(phrase("%1 more", std::to_string(count - most)));
-    return told;
-}
-
-}  // namespace psicarve::session
+}  // namespace psicarve::machine

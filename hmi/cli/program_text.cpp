@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -106,7 +107,21 @@ std::string program_place_text(const ProgramReport& report) {
     return line + ": held, " + reason + "; " + way_on(program.hold);
 }
 
+bool was_broken_off(const ProgramStatus& program) {
+    return program.program != 0 && program.is_running == 0 && program.is_done == 0 && program.line != 0;
+}
+
+std::string broken_off_text(const ProgramStatus& program) {
+    const std::string line = std::to_string(program.line);
+    return "in line " + line + " of its program; gcode run FILE --from-line " + line + " goes on";
+}
+
 std::string program_text(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {
+    if (was_broken_off(report.status) && !runs_job(machine.state)) {
+        constexpr std::uint32_t kAllHomed = (1U << kAxisCount) - 1U;
+        return "program    the last one ended " + broken_off_text(report.status) +
+               (machine.homed_mask == kAllHomed ? "\n" : ", once the machine is homed\n");
+    }
     if (report.status.is_running == 0) return {};
     std::string text = "program    " + program_place_text(report) + "\n" + modes_text(report);
     if (const auto left = to_go(report, machine, profile)) text += "to go      " + by_axis_text(*left) + "\n";
@@ -115,6 +130,11 @@ std::string program_text(const ProgramReport& report, const CoreStatus& machine,
     if (report.status.starvations > 0)
         text += "; it had to wait for more " + count_text(report.status.starvations, "time");
     return text + "\n";
+}
+
+Json last_program_json(const ProgramStatus& program) {
+    if (program.program == 0 || program.is_running != 0) return Json(nullptr);
+    return Json{{"number", program.program}, {"line", program.line}, {"is_done", program.is_done != 0}};
 }
 
 Json program_json(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {

@@ -13,11 +13,17 @@ namespace psicarve::cli {
 /// "line 8: held, tool change; psicarve resume goes on"; just the line while it moves. Of a program that is
 /// held for good also why.
 std::string program_place_text(const ProgramReport& report);
-/// Lines for a person, for status; empty while none runs. `profile`: null where the machine's is not known:
-/// how far it is to go is not told then.
+/// Whether the last program ended in a stop or an alarm, with a line at hand.
+bool was_broken_off(const ProgramStatus& program);
+/// Of such a one: "in line 8 of its program; gcode run FILE --from-line 8 goes on".
+std::string broken_off_text(const ProgramStatus& program);
+/// Lines for a person, for status: of the one that runs, or where the last one was broken off; else empty.
+/// `profile`: null where the machine's is not known: how far it is to go is not told then.
 std::string program_text(const ProgramReport& report, const CoreStatus& machine, const Profile* profile);
 /// What `status --json` says (docs/commands.md); null while none runs.
 nlohmann::ordered_json program_json(const ProgramReport& report, const CoreStatus& machine,
                                     const Profile* profile);
+/// Of the last program, where none runs; null: there was none.
+nlohmann::ordered_json last_program_json(const ProgramStatus& program);
 
 }  // namespace psicarve::cli

@@ -53,8 +53,13 @@ Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& s
     if (const auto sent = link.send(command); !sent) return sent.error();
     const auto ended = link.wait_for_state({MachineState::ready},
                                            [&](const CoreStatus& status) { return watch.look(status); });
-    if (!ended) return ended.error();
     const ProgramReport report = program_report(link.segment());
+    if (!ended) {
+        Error error = ended.error();
+        if (report.status.program == start.program && was_broken_off(report.status))
+            error.message += "; it ended " + broken_off_text(report.status);
+        return error;
+    }
     const bool is_whole = report.progress.program == start.program &&
                           report.progress.end == static_cast<std::uint32_t>(ProgramEnd::ended) &&
                           report.status.program == start.program && report.status.is_done != 0;

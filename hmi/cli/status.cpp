@@ -174,6 +174,7 @@ std::string json_line(machine::MachineLink& link, const ProgramSight& sight, con
     object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["program"] = program_json(sight.program, status, profile ? &*profile : nullptr);
+    object["last_program"] = last_program_json(sight.program.status);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {

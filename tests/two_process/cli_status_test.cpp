@@ -68,5 +68,25 @@ TEST_F(Status, AProgramTakesTheProfileThatItsCoreWasStartedWith) {
     EXPECT_EQ(r1_pulses(), 20'001);
 }
 
+TEST_F(Status, NamesTheLineInWhichAnAlarmBrokeAProgramOff) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    write("stops.ngc", "G21 G90 F300\nG0 X40\nM0\nG1 X39\nM2\n");
+    RunningProgram running{"psicarve", {"gcode", "run", file("stops.ngc"), "--segment", segment_}};
+    ASSERT_TRUE(eventually([&] { return state() == MachineState::held; }));
+    ASSERT_EQ(run({"estop"}).exit_code, 0);
+    EXPECT_EQ(running.wait(), 4);
+    EXPECT_NE(
+        running.error().find("; it ended in line 3 of its program; gcode run FILE --from-line 3 goes on"),
+        std::string::npos)
+        << running.error();
+    EXPECT_NE(run({"status"}).out.find("program    the last one ended in line 3 "), std::string::npos)
+        << run({"status"}).out;
+    const auto told = run({"status", "--json"}).json();
+    EXPECT_EQ(told["program"], nullptr);
+    EXPECT_EQ(told["last_program"]["line"], 3);
+    EXPECT_EQ(told["last_program"]["is_done"], false);
+}
+
 }  // namespace
 }  // namespace psicarve::test

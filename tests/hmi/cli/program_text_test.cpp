@@ -44,6 +44,34 @@ TEST(ProgramText, SaysWhyItIsHeldAndWhatGoesOn) {
     EXPECT_EQ(program_text(ProgramReport{}, {}, nullptr), "");
 }
 
+TEST(ProgramText, NamesTheLineInWhichTheLastOneWasBrokenOff) {
+    ProgramReport report = held_report(ProgramHold::none);
+    report.status.is_running = 0;
+    CoreStatus machine{};
+    machine.state = MachineState::alarm;
+    EXPECT_EQ(
+        program_text(report, machine, nullptr),
+        "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 goes on, once "
+        "the machine is homed\n");
+    EXPECT_EQ(last_program_json(report.status)["line"], 8);
+    EXPECT_EQ(last_program_json(report.status)["is_done"], false);
+    EXPECT_EQ(program_json(report, machine, nullptr), nullptr);
+    machine.state = MachineState::ready;
+    machine.homed_mask = 0xF;
+    EXPECT_EQ(
+        program_text(report, machine, nullptr),
+        "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 goes on\n");
+    machine.state = MachineState::carving;  // a job
+    EXPECT_EQ(program_text(report, machine, nullptr), "");
+    machine.state = MachineState::ready;
+    report.status.is_done = 1;
+    EXPECT_EQ(program_text(report, machine, nullptr), "");
+    EXPECT_EQ(last_program_json(report.status)["is_done"], true);
+    report.status = {};
+    EXPECT_EQ(program_text(report, machine, nullptr), "") << "none yet";
+    EXPECT_EQ(last_program_json(report.status), nullptr);
+}
+
 TEST(ProgramText, SaysWhichLineTheCoreRefusedAndWhy) {
     const std::string text = program_place_text(refused_report(ProgramHold::refused));
     EXPECT_EQ(

@@ -27,6 +27,7 @@
 #include "hmi/cli/program_watch.hpp"
 #include "hmi/cli/record_feeder.hpp"
 #include "hmi/cli/run_offsets.hpp"
+#include "hmi/cli/start_from_line.hpp"
 #include "hmi/machine/recorded_pins.hpp"
 #include "hmi/verify/judged_trace.hpp"
 #include "shared/machine/message_argument.hpp"
@@ -57,6 +58,17 @@ Result<void> require_spindle_off(const GcodeRunOptions& options, const CoreStatu
     if (!options.is_dry || (status.signals & bit_of(Signal::spindle)) == 0) return {};
     return Error{ErrorCode::machine_refused,
                  "the spindle is on; for a dry run switch it off: psicarve spindle off"};
+}
+
+/// Of a run from a line: what comes first is told, and confirmed by a person who sees the machine.
+Result<void> tell_start(const GcodeRunOptions& options, const Profile& profile,
+                        const gcode::Approach& approach, const CoreStatus& status,
+                        const OperatorBreak& operator_break) {
+    if (options.from_line <= 1) return {};
+    print_note(start_text({options.from_line, approach, profile.gcode.turns_shortest, options.is_dry,
+                           (status.signals & bit_of(Signal::spindle)) != 0}));
+    if (options.is_confirmed || options.is_simulated) return {};
+    return confirm_start(operator_break);
 }
 
 /// A stream begins when its sender does: by then the machine may stand elsewhere.
@@ -114,10 +126,13 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (options.is_stream()) {
         bytes = gcode::open_stream(STDIN_FILENO);
     } else {
-        const auto facts = facts_of_right(options, how, profile, common, operator_break);
-        if (!facts) return facts.error();
-        if (!*facts) return kExitBadInput;
-        line_count = (*facts)->line_count;
+        const auto read = read_right_program(options, how, profile, common, operator_break);
+        if (!read) return read.error();
+        if (!*read) return kExitBadInput;
+        line_count = (*read)->facts.line_count;
+        if (const auto begun = tell_start(options, profile, (*read)->approach, *status, operator_break);
+            !begun)
+            return begun.error();
         bytes = gcode::open_unchanged_program(options.path, *options.state);
     }
     if (!bytes) return bytes.error();
@@ -214,9 +229,9 @@ Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions
     if (options.trace.empty() || options.is_stream()) return true;
     gcode::InterpreterOptions how = language_of(options, profile, CoreStatus{}, offsets.begin());
     how.start = how.reference;
-    const auto facts = facts_of_right(options, how, profile, common, operator_break);
-    if (!facts) return facts.error();
-    return facts->has_value();
+    const auto read = read_right_program(options, how, profile, common, operator_break);
+    if (!read) return read.error();
+    return read->has_value();
 }
 
 /// On a core of our own: it is homed, and its pins are judged while it runs.
@@ -316,6 +331,13 @@ Result<int> run(const CommonOptions& common, const GcodeRunOptions& asked) {
     GcodeRunOptions options = asked;
     if (options.is_stream() && options.from_line > 1)
         return Error{ErrorCode::bad_usage, "--from-line: for a file; standard input is run as it comes"};
+    if (options.is_confirmed && options.from_line == 0)
+        return Error{ErrorCode::bad_usage, "--unattended is for --from-line"};
+    if (options.from_line > 1 && !options.is_confirmed && !options.is_simulated && !can_ask())
+        return Error{
+            ErrorCode::bad_usage,
+            "--from-line: nobody is there to confirm what the machine does first; run it on a terminal, "
+            "or with --unattended"};
     if (const auto writable = check_output_folder(options.trace); !writable) return writable.error();
     auto link = link_to_core(common);
     if (options.is_simulated && link)
@@ -338,6 +360,8 @@ void add_gcode_run(CommandSet& commands) {
         .stream("FILE", options->path, "A program in G-code")
         .option("--from-line", options->from_line, 1, kMostLine,
                 "Begin with this line; what stands before it counts, but makes no motion")
+        .flag("--unattended", options->is_confirmed,
+              "With --from-line: do not ask before the machine does what comes first")
         .flag("--simulate", options->is_simulated,
               "On a simulated machine of its own, by the virtual clock, homed before")
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/program_reading.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -24,6 +25,27 @@ gcode::Position place_of(const Profile& profile, const CoreStatus& status) {
     return place;
 }
 
+class CheckSinks : public gcode::CanonSink {
+public:
+    CheckSinks(gcode::MachineCheck& machine, gcode::ApproachFinder& approach) noexcept
+        : machine_(machine), approach_(approach) {}
+
+    void take(const gcode::CanonRecord& record) override {
+        machine_.take(record);
+        approach_.take(record);
+    }
+    void begin_line(const gcode::ReachedLine& line) override {
+        machine_.begin_line(line);
+        approach_.begin_line(line);
+    }
+    void end_block() override { machine_.end_block(); }
+    bool wants_more() const noexcept override { return machine_.wants_more(); }
+
+private:
+    gcode::MachineCheck& machine_;
+    gcode::ApproachFinder& approach_;
+};
+
 }  // namespace
 
 gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Profile& profile,
@@ -37,21 +59,23 @@ gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Prof
     return how;
 }
 
-Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
-                                                          const gcode::InterpreterOptions& how,
-                                                          const Profile& profile, const CommonOptions& common,
-                                                          const OperatorBreak& operator_break) {
+Result<std::optional<RightProgram>> read_right_program(const GcodeRunOptions& options,
+                                                       const gcode::InterpreterOptions& how,
+                                                       const Profile& profile, const CommonOptions& common,
+                                                       const OperatorBreak& operator_break) {
     gcode::ProblemList problems;
     gcode::MachineCheck machine{profile, problems};
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();
     gcode::LineSource lines{std::move(bytes).value()};
-    const auto facts = interpret_patiently(lines, how, machine, problems, operator_break);
+    gcode::ApproachFinder approach{gcode::AxisLetters{profile.gcode}, std::max(options.from_line, 1U)};
+    CheckSinks sinks{machine, approach};
+    const auto facts = interpret_patiently(lines, how, sinks, problems, operator_break);
     if (!facts) return facts.error();
     print_problems(options.path, problems);
-    if (problems.error_count() == 0) return std::optional{*facts};
+    if (problems.error_count() == 0) return std::optional{RightProgram{*facts, approach.found()}};
     if (common.json) print_json_line(check_json(options.path, *facts, problems));
-    return std::optional<gcode::ProgramFacts>{};
+    return std::optional<RightProgram>{};
 }
 
 }  // namespace psicarve::cli

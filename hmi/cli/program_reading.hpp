@@ -7,6 +7,7 @@
 
 #include "hmi/cli/command_set.hpp"
 #include "hmi/cli/operator_break.hpp"
+#include "hmi/gcode/approach.hpp"
 #include "hmi/gcode/interpreter.hpp"
 #include "hmi/gcode/line_source.hpp"
 #include "hmi/gcode/program_check.hpp"
@@ -26,6 +27,7 @@ struct GcodeRunOptions {
     bool skips_deleted = false;
     bool is_dry = false;
     bool is_simulated = false;
+    bool is_confirmed = false;  ///< what a run from a line does first need not be asked
     std::string trace;
     std::optional<gcode::FileState> state{};  ///< of a file, as it is checked, run and judged
 
@@ -36,10 +38,16 @@ struct GcodeRunOptions {
 gcode::InterpreterOptions language_of(const GcodeRunOptions& options, const Profile& profile,
                                       const CoreStatus& status, const gcode::KeptOffsets& offsets);
 
+/// Of a program that is right, and what a run from its line does first.
+struct RightProgram {
+    gcode::ProgramFacts facts;
+    gcode::Approach approach;
+};
+
 /// Reads the whole file before the first pulse. Nothing: it is wrong, and that was told.
-Result<std::optional<gcode::ProgramFacts>> facts_of_right(const GcodeRunOptions& options,
-                                                          const gcode::InterpreterOptions& how,
-                                                          const Profile& profile, const CommonOptions& common,
-                                                          const OperatorBreak& operator_break);
+Result<std::optional<RightProgram>> read_right_program(const GcodeRunOptions& options,
+                                                       const gcode::InterpreterOptions& how,
+                                                       const Profile& profile, const CommonOptions& common,
+                                                       const OperatorBreak& operator_break);
 
 }  // namespace psicarve::cli

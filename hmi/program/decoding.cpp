@@ -20,37 +20,6 @@ using gcode::CanonRecord;
 constexpr int kGivesWayToMachine = 10;
 constexpr std::size_t kRestBytes = std::size_t{1} << 16U;
 
-/// Notes what stands before a line.
-class ApproachFinder : public gcode::CanonSink {
-public:
-    ApproachFinder(const gcode::AxisLetters& letters, std::uint32_t from_line) noexcept
-        : letters_(letters), from_line_(from_line) {}
-
-    void begin_line(const gcode::ReachedLine& line) override {
-        is_there_ = is_there_ || line.is_at_or_behind(from_line_);
-    }
-    void take(const CanonRecord& record) override {
-        if (is_there_) return;
-        if (record.kind == CanonKind::spindle) found_.is_spindle_on = record.code == 3;
-        const bool moves = record.kind == CanonKind::rapid || record.kind == CanonKind::feed ||
-                           record.kind == CanonKind::arc;
-        if (!moves) return;
-        for (const Axis axis : kAllAxes) {
-            const std::size_t letter = letters_.letter_of(axis);
-            found_.place[index_of(axis)] = record.end[letter];
-            if ((record.placed & gcode::mask_of(letter)) != 0)
-                found_.placed = static_cast<std::uint8_t>(found_.placed | 1U << index_of(axis));
-        }
-    }
-    const Approach& found() const noexcept { return found_; }
-
-private:
-    gcode::AxisLetters letters_;
-    std::uint32_t from_line_;
-    bool is_there_ = false;
-    Approach found_;
-};
-
 /// Gives canonical motion to all who want it, as long as it is wanted.
 class DecodeSinks : public gcode::CanonSink {
 public:
@@ -159,7 +128,7 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     const gcode::AxisLetters letters{request.profile.gcode};
     gcode::MachineCheck machine{request.profile, decoded->problems};
     PathSketch sketch{letters};
-    ApproachFinder approach{letters, std::max(request.from_line, 1U)};
+    gcode::ApproachFinder approach{letters, std::max(request.from_line, 1U)};
     DecodeSinks sinks{{&machine, &sketch, &approach}, progress};
     gcode::LineSource lines{bytes.view()};
     const auto facts =

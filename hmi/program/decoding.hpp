@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hmi/gcode/approach.hpp"
 #include "hmi/gcode/kept_offsets.hpp"
 #include "hmi/gcode/problem.hpp"
 #include "hmi/gcode/program_check.hpp"
@@ -34,14 +35,6 @@ struct DecodeRequest {
     bool is_simulator = false;
 };
 
-/// What the program has come to when a line begins: what a run from there does first.
-struct Approach {
-    std::array<double, kAxisCount> place{};  ///< mm, degrees
-    std::uint8_t placed = 0;                 ///< bit of each axis that is brought to its place
-    bool is_spindle_on = false;
-    bool is_needed() const noexcept { return placed != 0 || is_spindle_on; }
-};
-
 /// A program that was read to its end and judged.
 struct Decoded {
     DecodeRequest request;
@@ -50,7 +43,7 @@ struct Decoded {
     gcode::ProblemList problems;
     LineIndex lines;
     std::vector<SketchPoint> path;
-    Approach approach;           ///< to request.from_line
+    gcode::Approach approach;    ///< to request.from_line
     gcode::KeptOffsets offsets;  ///< that it begins with
     std::string offsets_path;    ///< whose they are; empty: nobody's
 

@@ -26,7 +26,10 @@ std::vector<std::string> arguments_of(const std::string& psicarve, const RunRequ
     add("--group", request.group);
     add("--profile", request.profile_path);
     const RunSwitches& how = request.switches;
-    if (how.from_line > 1) add("--from-line", std::to_string(how.from_line));
+    if (how.from_line > 1) {
+        add("--from-line", std::to_string(how.from_line));
+        arguments.emplace_back("--unattended");  // the card has been confirmed
+    }
     if (how.is_single) arguments.emplace_back("--single");
     if (how.stops_at_optional) arguments.emplace_back("--optional-stop");
     if (how.skips_deleted) arguments.emplace_back("--block-delete");

@@ -16,12 +16,8 @@ namespace {
 
 constexpr int kPlaceDecimals = 3;
 
-QString number_of_place(const program::Approach& approach, Axis axis) {
+QString number_of_place(const gcode::Approach& approach, Axis axis) {
     return QString::fromStdString(session::number_text(approach.place[index_of(axis)], kPlaceDecimals));
-}
-
-bool is_brought(const program::Approach& approach, Axis axis) {
-    return (approach.placed >> index_of(axis) & 1U) != 0;
 }
 
 }  // namespace
@@ -69,7 +65,7 @@ void ApproachCard::start() {
 }
 
 QString ApproachCard::told(const program::Decoded& program) const {
-    const program::Approach& approach = program.approach;
+    const gcode::Approach& approach = program.approach;
     const bool is_dry = context_.program.switches.is_dry;
     QStringList steps;
     const bool is_spindle_on = context_.machine.view().is_active(Signal::spindle);
@@ -82,15 +78,14 @@ QString ApproachCard::told(const program::Decoded& program) const {
     if (approach.placed != 0 || is_dry) {
         steps += tr("Both heads go out to the end of their travel.");
         // How far depends on where it comes from.
-        if (is_brought(approach, Axis::psi) && program.request.profile.gcode.turns_shortest)
+        if (approach.brings(Axis::psi) && program.request.profile.gcode.turns_shortest)
             steps += tr("Ψ turns.");
-        else if (is_brought(approach, Axis::psi))
+        else if (approach.brings(Axis::psi))
             steps += tr("Ψ turns to %1°, all turns.").arg(number_of_place(approach, Axis::psi));
-        if (is_brought(approach, Axis::y))
-            steps += tr("Y goes to %1 mm.").arg(number_of_place(approach, Axis::y));
+        if (approach.brings(Axis::y)) steps += tr("Y goes to %1 mm.").arg(number_of_place(approach, Axis::y));
         QStringList heads;
         for (const Axis axis : {Axis::r1, Axis::r2}) {
-            if (!is_brought(approach, axis)) continue;
+            if (!approach.brings(axis)) continue;
             heads +=
                 (axis == Axis::r1 ? tr("R1 %1 mm") : tr("R2 %1 mm")).arg(number_of_place(approach, axis));
         }

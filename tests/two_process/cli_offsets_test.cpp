@@ -103,7 +103,7 @@ TEST_F(KeptOffsetsOf, AProgramThatIsStoppedAreThoseThatItBeganWith) {
         << running->error();
     EXPECT_EQ(text_of(shown()["file"]), before);
     // From a line on it begins as it began.
-    const Outcome rest = run({"gcode", "run", path, "--from-line", "7"});
+    const Outcome rest = run({"gcode", "run", path, "--from-line", "7", "--unattended"});
     ASSERT_EQ(rest.exit_code, 0) << rest.error;
     EXPECT_NE(rest.error.find("begins in G54 with the work offsets of "), std::string::npos) << rest.error;
     EXPECT_EQ(r1_pulses(), 45 * 400);

@@ -181,7 +181,7 @@ TEST_F(RunProgram, BeginsWithALineAsIfTheOthersHadRun) {
     const std::int64_t r1_before = pulses(Axis::r1);
     const std::int64_t r2_before = pulses(Axis::r2);
     const std::string path = program("G21 G91 F300\nG0 X-20 Z-20\nG1 X-1 C90\nG1 X-1\nG90\nG1 C180\nM2\n");
-    const Outcome done = run({"gcode", "run", path, "--from-line", "4"});
+    const Outcome done = run({"gcode", "run", path, "--from-line", "4", "--unattended"});
     ASSERT_EQ(done.exit_code, 0) << done.error;
     EXPECT_EQ(pulses(Axis::r1), r1_before - 22 * 400);
     EXPECT_EQ(pulses(Axis::r2), r2_before - 20 * 400);
@@ -298,7 +298,7 @@ TEST_F(RunProgram, GivesTheSamePulsesHoweverItsReaderPauses) {
 TEST_F(RunProgram, SaysThatItEndsBeforeTheLineToBeginWith) {
     start_homed();
     const Outcome refused =
-        run({"gcode", "run", program("G21 G90 F300\nG0 X40\nM2\n\n\n"), "--from-line", "5"});
+        run({"gcode", "run", program("G21 G90 F300\nG0 X40\nM2\n\n\n"), "--from-line", "5", "--unattended"});
     EXPECT_EQ(refused.exit_code, 3);
     EXPECT_NE(refused.error.find("ends before line 5"), std::string::npos) << refused.error;
     EXPECT_EQ(state(), MachineState::ready);

@@ -40,8 +40,8 @@ TEST(RunRequest, HasEverySwitchUnderItsOwnName) {
     one = {};
     one.is_dry = true;
     EXPECT_EQ(made(one), with({"--dry-run"}));
-    EXPECT_EQ(made({true, true, true, true, 120}),
-              with({"--from-line", "120", "--single", "--optional-stop", "--block-delete", "--dry-run"}));
+    EXPECT_EQ(made({true, true, true, true, 120}), with({"--from-line", "120", "--unattended", "--single",
+                                                         "--optional-stop", "--block-delete", "--dry-run"}));
 }
 
 TEST(RunRequest, TellsTheLastOfWhatItsProcessSaid) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/gcode/approach.hpp"
+
+namespace psicarve::gcode {
+
+void ApproachFinder::begin_line(const ReachedLine& line) {
+    is_there_ = is_there_ || line.is_at_or_behind(from_line_);
+}
+
+void ApproachFinder::take(const CanonRecord& record) {
+    if (is_there_) return;
+    if (record.kind == CanonKind::spindle) found_.is_spindle_on = record.code == 3;
+    const bool moves =
+        record.kind == CanonKind::rapid || record.kind == CanonKind::feed || record.kind == CanonKind::arc;
+    if (!moves) return;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t letter = letters_.letter_of(axis);
+        found_.place[index_of(axis)] = record.end[letter];
+        if ((record.placed & mask_of(letter)) != 0)
+            found_.placed = static_cast<std::uint8_t>(found_.placed | 1U << index_of(axis));
+    }
+}
+
+}  // namespace psicarve::gcode

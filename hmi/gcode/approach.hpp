@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hmi/gcode/axis_letters.hpp"
+#include "hmi/gcode/canon.hpp"
+#include "shared/machine/signal.hpp"
+
+namespace psicarve::gcode {
+
+/// What the program has come to when a line begins: what a run from there does first.
+struct Approach {
+    std::array<double, kAxisCount> place{};  ///< mm, degrees
+    std::uint8_t placed = 0;                 ///< bit of each axis that is brought to its place
+    bool is_spindle_on = false;
+    bool is_needed() const noexcept { return placed != 0 || is_spindle_on; }
+    bool brings(Axis axis) const noexcept { return (placed >> index_of(axis) & 1U) != 0; }
+};
+
+/// Notes what stands before a line.
+class ApproachFinder : public CanonSink {
+public:
+    ApproachFinder(const AxisLetters& letters, std::uint32_t from_line) noexcept
+        : letters_(letters), from_line_(from_line) {}
+
+    void begin_line(const ReachedLine& line) override;
+    void take(const CanonRecord& record) override;
+    const Approach& found() const noexcept { return found_; }
+
+private:
+    AxisLetters letters_;
+    std::uint32_t from_line_;
+    bool is_there_ = false;
+    Approach found_;
+};
+
+}  // namespace psicarve::gcode

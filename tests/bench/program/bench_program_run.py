@@ -107,6 +107,7 @@ def main():
         finally:
             core.terminate()
             core.wait()
+            pathlib.Path("/dev/shm" + segment[1]).unlink(missing_ok=True)
     ratio = said["seconds"] / wall_s
     print(f"{options.lines} lines ({options.words}, ring {options.ring}) in {wall_s:.1f} s, {options.lines / wall_s:.0f} a"
           f" second; {said['seconds']:.1f} s of machine time, {options.lines / said['seconds']:.0f} lines a second;"
@@ -114,7 +115,7 @@ def main():
     is_good = ratio >= LEAST_RATIO and said["starvations"] == 0
     for name, kb in most.items():
         growth_kb = kb - first[name]
-        print(f"{name}: resident {kb} KB at most, {growth_kb} KB beyond a program of ten lines, {kb - settled[name]} KB"
+        print(f"{name}: resident {kb} KB at most, {growth_kb} KB beyond a program of ten lines, {kb - settled.get(name, kb)} KB"
               " after the first second")
         is_good = is_good and growth_kb <= MOST_GROWTH_KB
     return 0 if is_good else 1

@@ -5,19 +5,8 @@
 #include <limits>
 
 namespace psicarve::gcode {
-namespace {
-
-/// Drops what is not in force any more where this record is: the first that stays is the last one that begins
-/// there or before.
-template <typename Notes>
-void drop_before(Notes& notes, std::uint64_t sequence) {
-    while (notes.size() > 1 && notes[1].first <= sequence) notes.pop_front();
-}
-
-}  // namespace
-
 ModesTrail::ModesTrail(const GcodeProfile& letters, const Position& start, std::size_t most_ways) noexcept
-    : letters_(letters), most_ways_(most_ways) {
+    : letters_(letters), most_ways_(most_ways), rates_(most_ways), codes_(most_ways), zeros_(most_ways) {
     for (const Axis axis : kAllAxes) place_[index_of(axis)] = start[letters_.letter_of(axis)];
     modes_.g_codes.fill(-1);
     modes_.m_codes.fill(-1);
@@ -39,42 +28,59 @@ void ModesTrail::note(const MotionRecord& record) {
     if (ways_.empty()) {
         // In front of the program: what it begins with.
         ways_.push_back({0, 0, 0, place_});
-        changes_.push_back({0, first_modes_.value_or(modes_)});
+        add_modes(0, first_modes_.value_or(modes_));
     }
     if (record.kind == MotionKind::way || record.kind == MotionKind::arc) {
         for (std::size_t k = 0; k < kAxisCount; ++k)
             if ((record.axes & 1U << k) != 0) place_[k] = record.target[k];
     }
-    if (mark != marks_.end() || ways_.back().last == 0) {
-        add_way(record, mark == marks_.end() ? changes_.back().modes : mark->modes);
-    } else {
+    if (mark == marks_.end() && ways_.back().last != 0) {
         ways_.back().last = record.sequence;
         ways_.back().end = place_;
+        return;
     }
-}
-
-void ModesTrail::add_way(const MotionRecord& record, const ActiveModes& modes) {
     ways_.push_back({record.sequence, record.sequence, record.line, place_});
     if (ways_.size() > most_ways_) ways_.pop_front();
-    if (changes_.back().modes != modes) changes_.push_back({record.sequence, modes});
-    if (changes_.size() > most_ways_) changes_.pop_front();
+    if (mark != marks_.end()) add_modes(record.sequence, mark->modes);
+}
+
+void ModesTrail::add_modes(std::uint64_t first, const ActiveModes& modes) {
+    rates_.add(first, {modes.feed, modes.speed_rpm});
+    codes_.add(first, shared_codes({modes.g_codes, modes.m_codes, modes.tool}));
+    Zeros zeros{modes.rotation_deg, {}};
+    for (const Axis axis : kAllAxes) zeros.zero[index_of(axis)] = modes.zero[letters_.letter_of(axis)];
+    zeros_.add(first, zeros);
+}
+
+/// The same for the same codes, as long as few others come between.
+ModesTrail::SharedCodes ModesTrail::shared_codes(const Codes& codes) {
+    for (const SharedCodes& known : recent_codes_)
+        if (known && *known == codes) return known;
+    SharedCodes& place = recent_codes_[oldest_codes_];
+    oldest_codes_ = (oldest_codes_ + 1) % recent_codes_.size();
+    place = std::make_shared<const Codes>(codes);
+    return place;
 }
 
 std::optional<ProgramModes> ModesTrail::at(std::uint64_t sequence) {
     const std::lock_guard lock{mutex_};
-    drop_before(ways_, sequence);
-    drop_before(changes_, sequence);
-    if (ways_.empty() || changes_.front().first > sequence) return std::nullopt;
+    while (ways_.size() > 1 && ways_[1].first <= sequence) ways_.pop_front();
+    rates_.drop_before(sequence);
+    codes_.drop_before(sequence);
+    zeros_.drop_before(sequence);
+    if (ways_.empty() || !rates_.knows(sequence) || !codes_.knows(sequence) || !zeros_.knows(sequence))
+        return std::nullopt;
     const Way& way = ways_.front();
-    if (way.first > sequence) return shown(changes_.front(), forgotten_way());
+    if (way.first > sequence) return shown(forgotten_way());
     if (way.last < sequence) return std::nullopt;
-    return shown(changes_.front(), way);
+    return shown(way);
 }
 
 /// In front of the first that is kept: the last record for which holds what held there, and no end.
 ModesTrail::Way ModesTrail::forgotten_way() const noexcept {
     Way way = ways_.front();
-    if (changes_.size() > 1) way.first = std::min(way.first, changes_[1].first);
+    way.first = std::min({rates_.second_first(way.first), codes_.second_first(way.first),
+                          zeros_.second_first(way.first), way.first});
     way.last = way.first - 1;
     way.line = 0;
     way.end.fill(std::numeric_limits<double>::quiet_NaN());
@@ -86,17 +92,19 @@ std::size_t ModesTrail::way_count() const {
     return ways_.size();
 }
 
-ProgramModes ModesTrail::shown(const Change& change, const Way& way) const noexcept {
+/// With what holds first.
+ProgramModes ModesTrail::shown(const Way& way) const noexcept {
+    const auto& [g_codes, m_codes, tool] = *codes_.front();
     ProgramModes told{};
     told.sequence = way.last;
     told.line = way.line;
-    told.g_codes = change.modes.g_codes;
-    told.m_codes = change.modes.m_codes;
-    told.feed = change.modes.feed;
-    told.speed_rpm = change.modes.speed_rpm;
-    told.tool = change.modes.tool;
-    told.rotation_deg = change.modes.rotation_deg;
-    for (const Axis axis : kAllAxes) told.zero[index_of(axis)] = change.modes.zero[letters_.letter_of(axis)];
+    told.g_codes = g_codes;
+    told.m_codes = m_codes;
+    told.feed = rates_.front().feed;
+    told.speed_rpm = rates_.front().speed_rpm;
+    told.tool = tool;
+    told.rotation_deg = zeros_.front().rotation_deg;
+    told.zero = zeros_.front().zero;
     told.end = way.end;
     return told;
 }

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 
 #include "hmi/gcode/active_modes.hpp"
 #include "hmi/gcode/axis_letters.hpp"
+#include "hmi/gcode/change_history.hpp"
 #include "shared/machine/program_modes.hpp"
 #include "shared/profile/profile.hpp"
 #include "shared/program/motion_record.hpp"
@@ -20,9 +22,11 @@ namespace psicarve::gcode {
 /// than for a note. Bounded: where a program has more ways in between, the oldest is forgotten. What holds
 /// there is known all the same, without its end and line, but for where it has changed as often, too.
 ///
-///     ways    | first..last, end | first..last, end | ...      records of one way: an arc's chords
-///     changes | from            | from                         what holds, where it changed alone
-///             machine                        program read
+///     ways  | first..last, end | first..last, end | ...      records of one way: an arc's chords
+///     rates | from             | from             | ...      F and S: may change with each way
+///     codes | from                                           where they change, those that held before are
+///     zeros | from                                           often back again: a set of codes is kept once
+///           machine                        program read
 class ModesTrail {
 public:
     /// `start`: where the machine stands, machine coordinates. `most_ways`: how many are kept, and how
@@ -55,14 +59,28 @@ private:
         std::uint64_t line;
         std::array<double, kAxisCount> end;
     };
-    struct Change {
-        std::uint64_t first;
-        ActiveModes modes;
+    struct Rates {
+        double feed;
+        double speed_rpm;
+        bool operator==(const Rates&) const = default;
     };
+    struct Codes {
+        std::array<std::int16_t, kShownGCodes> g_codes;
+        std::array<std::int16_t, kShownMCodes> m_codes;
+        std::int64_t tool;
+        bool operator==(const Codes&) const = default;
+    };
+    struct Zeros {
+        double rotation_deg;
+        std::array<double, kAxisCount> zero;
+        bool operator==(const Zeros&) const = default;
+    };
+    using SharedCodes = std::shared_ptr<const Codes>;
 
-    void add_way(const MotionRecord& record, const ActiveModes& modes);
+    void add_modes(std::uint64_t first, const ActiveModes& modes);
+    SharedCodes shared_codes(const Codes& codes);
     Way forgotten_way() const noexcept;
-    ProgramModes shown(const Change& change, const Way& way) const noexcept;
+    ProgramModes shown(const Way& way) const noexcept;
 
     AxisLetters letters_;
     std::size_t most_ways_;
@@ -74,7 +92,11 @@ private:
     mutable std::mutex mutex_;  ///< for what follows
     std::array<double, kAxisCount> place_{};
     std::deque<Way> ways_;
-    std::deque<Change> changes_;
+    ChangeHistory<Rates> rates_;
+    ChangeHistory<SharedCodes> codes_;
+    ChangeHistory<Zeros> zeros_;
+    std::array<SharedCodes, 8> recent_codes_;  ///< different ones, the next to be replaced at `oldest_codes_`
+    std::size_t oldest_codes_ = 0;
 };
 
 }  // namespace psicarve::gcode

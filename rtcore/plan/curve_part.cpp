@@ -37,6 +37,11 @@ void drop_front(std::vector<T>& values, std::size_t count) {
 
 }  // namespace
 
+void StretchPlanner::show_cells(std::span<const PathCell> cells, bool is_from_rest) const {
+    if (seen_ == nullptr) return;
+    for (const PathCell& cell : cells) seen_->push_back({cell, is_from_rest && &cell == cells.data()});
+}
+
 bool StretchPlanner::decide(std::span<const PathPoint> points, std::span<const PathSpan> spans,
                             std::span<const PathCorner> corners, const DecidedPoints& at, CurvePart& part) {
     // The last span but one before `from` has its nodes as the part before had them.
@@ -130,6 +135,7 @@ void StretchPlanner::take_part(std::span<const PathPoint> points, std::span<cons
         const double from = j == first_node_ ? middle_of(j) : 0.0;
         add(j, from, j == end_node ? middle_of(j) : curve_.cells[j].length);
     }
+    show_cells(part.cells, first_node_ == 0);
     part.begin_at = part.cell_at.front();
     part.rest_begin2 = rest_speed2(spans, at.from, part.cells.front().slope_begin);
     part.rest_end2 = rest_speed2(spans, at.to, part.cells.back().slope_end);

@@ -20,6 +20,12 @@ struct DecidedPoints {
     std::size_t last;  ///< known so far; `to` itself: the path rests there
 };
 
+/// A cell of a curve that was planned for good; for a yardstick that times the same curve in its own way.
+struct SeenCell {
+    PathCell cell;
+    bool is_from_rest;
+};
+
 /// A decided part of a path's curve, from point to point: what its timing needs to know. Cells that stand on
 /// the first or the last point are there by halves.
 struct CurvePart {

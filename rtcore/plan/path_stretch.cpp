@@ -348,6 +348,7 @@ void StretchPlanner::limit_speeds() {
 }
 
 void StretchPlanner::add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces) {
+    show_cells(curve_.cells, true);
     PieceMaker maker(limits_, points, curve_.nodes.point_at.front(), curve_.control.front(), pieces);
     for (std::size_t j = 0; j < curve_.cells.size(); ++j) {
         std::array<double, kTimingCount> begin2;

@@ -31,6 +31,9 @@ class StretchPlanner {
 public:
     explicit StretchPlanner(const MachineLimits& limits);
 
+    /// From now on adds all cells of curves to `seen`, in order; it must outlive this.
+    void show(std::vector<SeenCell>* seen) noexcept { seen_ = seen; }
+
     /// Points [first, last] of the path, from stop to stop. Appends to `pieces`; the result is the time that
     /// they take at 100 % [s]. Where no curve is found that keeps the tolerance, pulse by pulse, it comes to
     /// rest in between, in points of the path: pieces say so.
@@ -92,6 +95,7 @@ private:
     Timings least_pace2_of(std::size_t cell) const;
     void limit_speeds();
     void add_pieces(std::span<const PathPoint> points, std::vector<PathPiece>& pieces);
+    void show_cells(std::span<const PathCell> cells, bool is_from_rest) const;
 
     MachineLimits limits_;
     Lanes mm_per_pulse_{};
@@ -117,6 +121,7 @@ private:
     std::vector<std::array<bool, 2>> is_fed_;  ///< by cell and head: a part of it may cut
     std::array<std::vector<double>, kTimingCount> bound2_;
     std::array<std::vector<InnerSpeeds2>, kTimingCount> inner2_;
+    std::vector<SeenCell>* seen_ = nullptr;
 };
 
 }  // namespace psicarve::plan

@@ -320,6 +320,7 @@ void RecordProgram::set_limits() {
     if (stretches_ && planned_tolerance_mm_ == limits_.path_tolerance_mm) return;
     planned_tolerance_mm_ = limits_.path_tolerance_mm;
     stretches_.emplace(limits_);
+    stretches_->show(seen_);
 }
 
 void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
@@ -329,6 +330,8 @@ void RecordProgram::plan_stretch(std::size_t first, std::size_t last) {
         for (std::size_t k = 0; k < kAxisCount; ++k)
             way[k] = points_[last].pulses[k] - points_[first].pulses[k];
         add_straight_stretch(limits_, spans_[first], way, static_cast<std::uint32_t>(last), pieces_);
+        const PathSpan& span = spans_[first];
+        if (seen_ != nullptr) seen_->push_back({{span.length, span.slope, span.slope, {}}, true});
     } else {
         stretches_->plan(points_, spans_, corners_, first, last, pieces_);
     }

@@ -45,6 +45,9 @@ public:
     RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSource> source,
                   const Pulses4& start_pulses, bool is_single = false, std::size_t part_points = kPartPoints);
 
+    /// As StretchPlanner does.
+    void show(std::vector<SeenCell>* seen) noexcept { seen_ = seen; }
+
     bool next(cycle::MotionBlock& block) override;
     bool is_waiting() const override { return is_waiting_; }
 
@@ -114,6 +117,7 @@ private:
     std::vector<PathSpan> spans_;
     std::vector<PathCorner> corners_;
     std::vector<PathPiece> pieces_;
+    std::vector<SeenCell>* seen_ = nullptr;
     std::vector<cycle::MotionBlock> blocks_;
     std::size_t next_ = 0;
 };

@@ -23,12 +23,14 @@ double StretchPlanner::plan(std::span<const PathPoint> points, std::span<const P
 double StretchPlanner::plan_within(const Path& path, std::size_t first, std::size_t last, int divisions,
                                    std::vector<PathPiece>& pieces) {
     const std::size_t begin = pieces.size();
+    const std::size_t seen_begin = seen_ != nullptr ? seen_->size() : 0;
     const double seconds = plan_curve(path, first, last, pieces);
     if (!curve_.times.is_within) {
         std::vector<std::uint32_t> left =
             spans_left(limits_, path.points, path.spans, first, std::span(pieces).subspan(begin));
         if (!left.empty()) {
             pieces.resize(begin);
+            if (seen_ != nullptr) seen_->resize(seen_begin);
             if (divisions == 0) {
                 left.resize(last - first);
                 std::iota(left.begin(), left.end(), static_cast<std::uint32_t>(first));

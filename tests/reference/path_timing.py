@@ -76,11 +76,15 @@ def end_factors(second, slope, width_rad):
 def fastest_timing(sampled, limits, most=np.inf):
     """The greatest b at every node; nowhere above `most`."""
     cap = np.minimum(speed_caps(sampled, limits), most)
-    axes = accelerations(sampled, limits)
+    return greatest_along(sampled.width_rad, cap, accelerations(sampled, limits))
+
+
+def greatest_along(width, cap, axes):
+    """The greatest b at every node below `cap`, which it lowers; axes: R'' and R' in the middle of the cells, limit."""
     _cap_where_axes_disagree(cap, axes)
     rules = []
     for second, slope, accel in axes:
-        alpha, beta = end_factors(second, slope, sampled.width_rad)
+        alpha, beta = end_factors(second, slope, width)
         turning = alpha * beta >= 0.0
         _lower_both_ends(cap, np.where(turning, accel / np.maximum(np.abs(second), 1e-18), np.inf))
         # Where it turns, a rule that never binds: 0*b0 <= a + 0*b1.

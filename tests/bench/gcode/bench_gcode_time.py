@@ -4,6 +4,9 @@
 
 usage: bench_gcode_time.py BUILD [--tolerance MM ...] [--programs NAME ...]
 
+`wide` is run only where it is named: the curve of `dense` twice as large, on which an axis is at its top speed for 80 % of
+the time, so that planners hardly differ (docs/performance.md).
+
 BUILD is a build folder with program_seconds, as build/release. Three programs are made here, on the built-in profile's
 machine: a pocket in zigzag, lines of 0.05 mm along a curve, and arcs. Their feed is beyond what the axes have. Ours is
 the planned time of the motion, which the machine keeps to a tick; LinuxCNC's is counted in servo ticks of 1 ms on its
@@ -36,14 +39,15 @@ def pocket():
     return lines
 
 
-def dense():
-    """Lines of 0.05 mm along a curve whose radius goes from 0.2 to 2 mm and back."""
+def dense(scale=1.0):
+    """Lines of 0.05 mm along a curve whose radius goes from 0.2 to 2 mm and back, times `scale`."""
     x, y, heading, lines = 30.0, 50.0, 0.0, []
     for step in range(1200):
         x, y = x + 0.05 * math.cos(heading), y + 0.05 * math.sin(heading)
         lines.append(f"G1 X{x:.4f} Y{y:.4f}")
         way = 0.05 * step
-        heading += 0.05 * math.sin(way / 0.8) / (0.2 + 1.8 * math.sin(way / 11.0) ** 2)
+        bend = math.sin(way / 0.8 / scale) / (0.2 + 1.8 * math.sin(way / 11.0 / scale) ** 2)
+        heading += 0.05 * bend / scale
     return lines
 
 
@@ -57,7 +61,7 @@ def arcs():
     return lines
 
 
-PROGRAMS = {"pocket": pocket, "dense": dense, "arcs": arcs}
+PROGRAMS = {"pocket": pocket, "dense": dense, "arcs": arcs, "wide": lambda: dense(2.0)}
 
 
 def program_text(lines, tolerance_mm):
@@ -86,7 +90,7 @@ def main():
     parser = argparse.ArgumentParser(usage=__doc__.split("usage: ")[1].split("\n")[0])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--tolerance", type=float, nargs="+", default=[0.01, 0.05])
-    parser.add_argument("--programs", nargs="+", choices=PROGRAMS, default=list(PROGRAMS))
+    parser.add_argument("--programs", nargs="+", choices=PROGRAMS, default=["pocket", "dense", "arcs"])
     told = parser.parse_args()
     has_linuxcnc = shutil.which("linuxcnc") is not None
     if not has_linuxcnc:

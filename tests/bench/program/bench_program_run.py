@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A long program through `psicarve gcode run`: memory, and how much faster than the machine it is.
 
-usage: bench_program_run.py BUILD [--lines N] [--profile FILE]
+usage: bench_program_run.py BUILD [--lines N] [--profile FILE] [--ring RECORDS] [--words plain|f|g93|gf]
 
 BUILD is a build folder, as build/release. A program of N lines of 0.05 mm, whose feed is beyond what any axis has, is made
 here and run on a core on the virtual clock, which knows no waiting: what is measured is interpreter, ring, planner and
-tick together. Told are machine time by wall time, lines that the machine takes a second, starvations, and by how much the
-resident memory of both processes grows after the first second. Exit code 1 where that is more than 16 MB each, where the program starves, or where it is less than
-10 times as fast as the machine.
+tick together. `--words` tells what its lines have: `plain` their end alone, `f` an F of their own each, `g93` the same in
+inverse time, `gf` an F and G0 and G1 in turn. Told are machine time by wall time, lines that the machine takes a second,
+starvations, and by how much the resident memory of both processes grows: beyond what a program of ten lines takes, and
+after the first second. Exit code 1 where the former is more than 16 MB, where the program starves, or where it is less
+than 10 times as fast as the machine.
 """
 import argparse
 import json
@@ -23,24 +25,55 @@ MOST_GROWTH_KB = 16 * 1024
 LEAST_RATIO = 10.0
 SETTLING_S = 1.0
 LOOK_S = 0.1
+SHORT_LOOK_S = 0.001
 
 
-def write_program(path, count):
+WORDS = {
+    "plain": lambda n: "",
+    "f": lambda n: f" F{90000 + n % 9973}",
+    "g93": lambda n: f" F{90000 + n % 9973}",
+    "gf": lambda n: f" G{n % 2} F{90000 + n % 9973}",
+}
+
+
+def write_program(path, count, words):
     with path.open("w") as out:
         out.write("G21 G90 G94 F99999 G64 P0.02\nG0 X50 Z50 Y10 C0\nG1\n")
+        if words == "g93":
+            out.write("G93\n")
         for n in range(count):
             # There and back over 20 mm while Y rises and falls gently.
             there, wave = n % 800, n % 80
             step = there if there < 400 else 800 - there
-            out.write(f"X{40 + 0.05 * step:.2f} Y{10 + 0.005 * min(wave, 80 - wave):.3f}\n")
+            out.write(f"X{40 + 0.05 * step:.2f} Y{10 + 0.005 * min(wave, 80 - wave):.3f}{WORDS[words](n)}\n")
         out.write("M2\n")
 
 
-def resident_kb(pid):
+def resident_kb(pid, key="VmRSS"):
     for line in pathlib.Path(f"/proc/{pid}/status").read_text().split("\n"):
-        if line.startswith("VmRSS"):
+        if line.startswith(key + ":"):
             return int(line.split()[1])
     return 0
+
+
+def run_program(command, pids, look_s):
+    """What the run says, by process its resident memory after the first second and at most, and how long it took."""
+    began = time.monotonic()
+    run = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    pids = {"gcode run": run.pid, **pids}
+    settled, most = {}, {}
+    while run.poll() is None:
+        for name, pid in pids.items():
+            try:
+                now = resident_kb(pid, "VmHWM")
+            except OSError:
+                continue
+            if now and time.monotonic() - began >= SETTLING_S:
+                settled.setdefault(name, resident_kb(pid))
+            if now:
+                most[name] = now
+        time.sleep(look_s)
+    return json.loads(run.stdout.read()), settled, most, time.monotonic() - began
 
 
 def main():
@@ -48,6 +81,8 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--lines", type=int, default=10_000_000)
     parser.add_argument("--profile", type=pathlib.Path, help="default: the built-in machine")
+    parser.add_argument("--ring", type=int, default=8192)
+    parser.add_argument("--words", choices=WORDS, default="plain")
     options = parser.parse_args()
     programs = options.build.resolve() / "bin"
     segment = ["--segment", f"/psicarve-bench-{os.getpid()}"]
@@ -57,44 +92,31 @@ def main():
         return subprocess.run([programs / "psicarve", *words, *segment], capture_output=True, text=True, check=False)
 
     with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "long.ngc"
-        write_program(path, options.lines)
-        core = subprocess.Popen([programs / "psicarve-rtcore", *segment, "--clock", "virtual", *profile],
-                                stderr=subprocess.DEVNULL)
+        short, path = pathlib.Path(folder) / "short.ngc", pathlib.Path(folder) / "long.ngc"
+        write_program(short, 10, options.words)
+        write_program(path, options.lines, options.words)
+        core = subprocess.Popen([programs / "psicarve-rtcore", *segment, "--clock", "virtual", "--program-ring",
+                                 str(options.ring), *profile], stderr=subprocess.DEVNULL)
         try:
             while psicarve("status").returncode != 0:
                 time.sleep(LOOK_S)
             psicarve("home")
-            began = time.monotonic()
-            run = subprocess.Popen([programs / "psicarve", "gcode", "run", path, "--json", *segment],
-                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-            pids = {"gcode run": run.pid, "core": core.pid}
-            first, most = {}, {}
-            while run.poll() is None:
-                time.sleep(LOOK_S)
-                if time.monotonic() - began < SETTLING_S:
-                    continue
-                for name, pid in pids.items():
-                    try:
-                        now = resident_kb(pid)
-                    except OSError:
-                        continue
-                    if now:
-                        first.setdefault(name, now)
-                        most[name] = max(most.get(name, 0), now)
-            wall_s = time.monotonic() - began
-            said = json.loads(run.stdout.read())
+            run = [programs / "psicarve", "gcode", "run", "--json", *segment]
+            first = run_program([*run, short], {"core": core.pid}, SHORT_LOOK_S)[2]
+            said, settled, most, wall_s = run_program([*run, path], {"core": core.pid}, LOOK_S)
         finally:
             core.terminate()
             core.wait()
+            pathlib.Path("/dev/shm" + segment[1]).unlink(missing_ok=True)
     ratio = said["seconds"] / wall_s
-    print(f"{options.lines} lines in {wall_s:.1f} s, {options.lines / wall_s:.0f} a second;"
-          f" {said['seconds']:.1f} s of machine time, {options.lines / said['seconds']:.0f} lines a second;"
+    print(f"{options.lines} lines ({options.words}, ring {options.ring}) in {wall_s:.1f} s, {options.lines / wall_s:.0f} a"
+          f" second; {said['seconds']:.1f} s of machine time, {options.lines / said['seconds']:.0f} lines a second;"
           f" {ratio:.1f} times as fast; starvations {said['starvations']}")
     is_good = ratio >= LEAST_RATIO and said["starvations"] == 0
     for name, kb in most.items():
         growth_kb = kb - first[name]
-        print(f"{name}: resident {kb} KB, grown by {growth_kb} KB")
+        print(f"{name}: resident {kb} KB at most, {growth_kb} KB beyond a program of ten lines, {kb - settled.get(name, kb)} KB"
+              " after the first second")
         is_good = is_good and growth_kb <= MOST_GROWTH_KB
     return 0 if is_good else 1
 

@@ -2,16 +2,20 @@
 // How long a program in G-code takes, as planned, in continuous time.
 //
 // usage: program_seconds FILE [PROFILE]
+//        program_seconds FILE --curve
 //
 // Prints, from its last dwell on: seconds | rests on the way | T_ref, the seconds where all ways between two
 // rests are planned at once, with no horizon that recedes. A planned program takes the first to a tick for
-// each rest.
+// each rest. With --curve the curve that is carved, as CSV: parabolas one behind the other, whether each
+// begins at rest, its length of u, and by axis dq/du at its begin and its end [pulses].
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "hmi/gcode/machine_check.hpp"
@@ -78,18 +82,21 @@ constexpr std::size_t kAtOnce = std::size_t{1} << 40U;  // more points than any 
 struct Planned {
     double seconds = 0.0;
     int rests = -1;  ///< its end is none
+    std::vector<plan::SeenCell> curve;
 };
 
 Planned planned_in(const Profile& profile, const std::shared_ptr<StepList>& steps, const plan::Pulses4& start,
                    std::size_t part_points) {
     plan::RecordProgram program(plan::machine_limits(profile), steps, start, false, part_points);
     Planned planned;
+    program.show(&planned.curve);
     cycle::MotionBlock block;
     while (program.next(block) || program.is_waiting()) {
         if (program.is_waiting()) continue;
         if (block.kind == cycle::BlockKind::dwell) {
             planned.seconds = 0.0;
             planned.rests = -1;
+            planned.curve.clear();
         }
         if (block.kind != cycle::BlockKind::path) continue;
         planned.seconds += 2.0 * block.path.length /
@@ -100,7 +107,16 @@ Planned planned_in(const Profile& profile, const std::shared_ptr<StepList>& step
     return planned;
 }
 
-int tell(const std::string& path, const Profile& profile) {
+void print_curve(const std::vector<plan::SeenCell>& curve) {
+    for (const auto& [cell, is_from_rest] : curve) {
+        std::printf("%d,%.17g", is_from_rest ? 1 : 0, cell.length);
+        for (const plan::Lanes& slope : {cell.slope_begin, cell.slope_end})
+            for (const double of_axis : slope) std::printf(",%.17g", of_axis);
+        std::printf("\n");
+    }
+}
+
+int tell(const std::string& path, const Profile& profile, bool wants_curve = false) {
     const plan::Pulses4 start = reference_pulses(profile);
     const auto steps = std::make_shared<StepList>(profile, start);
     gcode::InterpreterOptions options = gcode::machine_options(profile);
@@ -116,6 +132,10 @@ int tell(const std::string& path, const Profile& profile) {
         return 3;
     }
     const Planned planned = planned_in(profile, steps, start, plan::RecordProgram::kPartPoints);
+    if (wants_curve) {
+        print_curve(planned.curve);
+        return 0;
+    }
     steps->rewind();
     const Planned at_once = planned_in(profile, steps, start, kAtOnce);
     std::printf("%.4f %d %.4f\n", planned.seconds, planned.rests, at_once.seconds);
@@ -124,10 +144,11 @@ int tell(const std::string& path, const Profile& profile) {
 
 int run(int count, char** words) {
     if (count != 2 && count != 3) {
-        std::fprintf(stderr, "usage: program_seconds FILE [PROFILE]\n");
+        std::fprintf(stderr, "usage: program_seconds FILE [PROFILE | --curve]\n");
         return 2;
     }
     if (count == 2) return tell(words[1], Profile{});
+    if (words[2] == std::string_view{"--curve"}) return tell(words[1], Profile{}, true);
     const auto profile = load_profile(words[2]);
     if (profile) return tell(words[1], *profile);
     std::fprintf(stderr, "program_seconds: %s\n", profile.error().message.c_str());

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/hmi/gcode/made_records.hpp"
@@ -34,11 +36,13 @@ public:
 
     void take(const CanonRecord& record) override {
         trail_->begin_way(maker_->record_count() + 1);
+        held_from.emplace_back(maker_->record_count() + 1, modes_);
         maker_->take(record);
     }
     void end_block() override { maker_->end_block(); }
     void set_modes(const ActiveModes& modes) override {
         trail_->set_modes(modes);
+        modes_ = modes;
         ++modes_count;
     }
     bool wants_modes() const noexcept override { return true; }
@@ -51,8 +55,10 @@ public:
     ModesTrail& trail() { return *trail_; }
     std::vector<MotionRecord> records;
     int modes_count = 0;
+    std::vector<std::pair<std::uint64_t, ActiveModes>> held_from;  ///< all of it, never shortened
 
 private:
+    ActiveModes modes_;
     std::optional<ModesTrail> trail_;
     RecordMaker* maker_ = nullptr;
 };
@@ -168,6 +174,45 @@ TEST(ModesTrail, TellsTheInterpretersModesOnlyWhenTheyChange) {
     for (int i = 0; i < 100; ++i) text += "G1 X" + std::to_string(40 + i % 2) + " F300\n";
     const ReadAhead sut{text + "M2\n"};
     EXPECT_LE(sut.modes_count, 4);
+}
+
+// Codes, rates and zeros change one by one and together, and more sets of codes come in turn than are kept.
+TEST(ModesTrail, TellsOfEachRecordWhatHeldWhenItWasRead) {
+    std::mt19937 random(17);
+    const auto one_of = [&random](int count) { return static_cast<int>(random() % unsigned(count)); };
+    std::string text = "G21 G90 G94 F100\nG0 X40 Y5\n";
+    for (int i = 0; i < 2000; ++i) {
+        if (one_of(3) == 0) text += "G" + std::to_string(54 + one_of(6)) + "\n";
+        if (one_of(9) == 0)
+            text += "G10 L2 P" + std::to_string(1 + one_of(6)) + " Y" + std::to_string(one_of(5)) + "\n";
+        if (one_of(9) == 0) text += "G92 Y" + std::to_string(one_of(7)) + "\n";
+        if (one_of(5) == 0) text += one_of(2) == 0 ? "M3\n" : "M5\n";
+        if (one_of(5) == 0)
+            text += "M" + std::to_string(7 + one_of(3)) + " T" + std::to_string(one_of(9)) + "\n";
+        text += "G53 G" + std::to_string(one_of(2)) + " X" + std::to_string(40 + i % 2);
+        if (one_of(2) == 0) text += " F" + std::to_string(100 + one_of(9));
+        if (one_of(4) == 0) text += " S" + std::to_string(500 + one_of(9));
+        text += "\n";
+    }
+    ReadAhead sut{text + "M2\n", 100'000};
+    const AxisLetters letters{Profile{}.gcode};
+    auto held = sut.held_from.begin();
+    ASSERT_GT(sut.records.size(), 2000U);
+    for (std::uint64_t sequence = 1; sequence < sut.records.size(); ++sequence) {
+        while (std::next(held) != sut.held_from.end() && std::next(held)->first <= sequence) ++held;
+        const ActiveModes& wanted = held->second;
+        const auto told = sut.trail().at(sequence);
+        ASSERT_TRUE(told) << sequence;
+        EXPECT_EQ(told->line, sut.records[sequence - 1].line);
+        EXPECT_EQ(told->g_codes, wanted.g_codes) << sequence;
+        EXPECT_EQ(told->m_codes, wanted.m_codes) << sequence;
+        EXPECT_EQ(told->tool, wanted.tool) << sequence;
+        EXPECT_EQ(told->feed, wanted.feed) << sequence;
+        EXPECT_EQ(told->speed_rpm, wanted.speed_rpm) << sequence;
+        EXPECT_EQ(told->rotation_deg, wanted.rotation_deg) << sequence;
+        for (const Axis axis : kAllAxes)
+            EXPECT_EQ(zero_of(*told, axis), wanted.zero[letters.letter_of(axis)]) << sequence;
+    }
 }
 
 TEST(ModesTrail, ForgetsTheOldestWhereItMayKeepNoMore) {

@@ -3,8 +3,10 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -111,6 +113,13 @@ private:
         need(button, "button's height", lines * QFontMetrics{font}.height(), button.height(), button.text());
     }
 
+    /// Where its least size is another one since it was asked for its hint a label gives the old one still.
+    static void forget_old_size(const QLabel& label) {
+        if (label.minimumSize().isNull()) return;
+        QEvent change{QEvent::ContentsRectChange};
+        QApplication::sendEvent(const_cast<QLabel*>(&label), &change);
+    }
+
     void look_at_label(const QLabel& label) {
         if (label.text().isEmpty()) return;
         const bool has_marks = label.text().contains("</") || label.text().contains("&nbsp;");
@@ -118,6 +127,7 @@ private:
             add(label, "marks instead of colours", label.text());
         const QRect room = label.contentsRect();
         if (!label.wordWrap()) {
+            forget_old_size(label);
             need(label, "label", label.minimumSizeHint().width(), label.width(), label.text());
             need(label, "label's height", label.minimumSizeHint().height(), label.height(), label.text());
             return;

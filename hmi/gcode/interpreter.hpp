@@ -201,6 +201,7 @@ private:
     bool is_motion_doubtful_ = false;
     bool is_end_doubtful_ = false;
     bool has_ended_ = false;
+    bool is_path_q_told_ = false;
     std::uint64_t drawn_chord_count_ = 0;
     std::uint64_t motion_count_ = 0;
     std::uint64_t action_count_ = 0;

@@ -78,8 +78,14 @@ Result<void> set_system(const std::vector<std::string>& words, const gcode::Axis
     const auto system = system_of(words[1]);
     if (!system) return no_such("no system", words[1], system_names());
     gcode::SystemOffset changed = kept.systems[*system];
-    for (std::size_t n = 2; n < words.size(); ++n)
+    std::string given;
+    for (std::size_t n = 2; n < words.size(); ++n) {
         if (const auto set = set_value(words[n], letters, changed); !set) return set;
+        const std::string letter = in_capitals(words[n].substr(0, 1));
+        if (given.find(letter) != std::string::npos)
+            return Error{ErrorCode::bad_usage, "gcode offsets: " + letter + " is given twice"};
+        given += letter;
+    }
     kept.systems[*system] = changed;
     return {};
 }

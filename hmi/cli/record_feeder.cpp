@@ -5,9 +5,8 @@
 
 #include <chrono>
 #include <utility>
-#include <vector>
 
-#include "hmi/gcode/machine_check.hpp"
+#include "hmi/gcode/judged_motion.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -46,44 +45,6 @@ private:
     RecordFeeder& feeder_;
 };
 
-/// What the machine has something against is not carried out, and nothing behind it.
-class RecordFeeder::JudgedMotion : public gcode::CanonSink {
-public:
-    JudgedMotion(const Profile& profile, gcode::ProblemList& problems, gcode::RecordMaker& maker,
-                 gcode::KeptOffsets& offsets, gcode::ModesTrail& trail)
-        : machine_(profile, problems), problems_(problems), maker_(maker), offsets_(offsets), trail_(trail) {}
-
-    void take(const gcode::CanonRecord& record) override {
-        if (is_wrong()) return;
-        machine_.take(record);
-        if (is_wrong()) return;
-        drawn_.push_back(record);
-        if (record.ends_within) return;
-        trail_.begin_way(maker_.record_count() + 1);
-        for (const gcode::CanonRecord& known : drawn_) maker_.take(known);
-        drawn_.clear();
-    }
-    void begin_line(const gcode::ReachedLine& line) override { maker_.begin_line(line); }
-    void end_block() override { maker_.end_block(); }
-    void set_offsets(const gcode::KeptOffsets& kept) override {
-        if (!is_wrong()) offsets_ = kept;
-    }
-    void set_modes(const gcode::ActiveModes& modes) override { trail_.set_modes(modes); }
-    bool wants_modes() const noexcept override { return true; }
-    bool wants_more() const noexcept override { return !is_wrong() && maker_.wants_more(); }
-
-private:
-    bool is_wrong() const noexcept { return problems_.error_count() > 0; }
-
-    gcode::MachineCheck machine_;
-    gcode::ProblemList& problems_;
-    gcode::RecordMaker& maker_;
-    /// The pieces of a drawn way, until its last one is known to be right: kMostDrawnChords at most.
-    std::vector<gcode::CanonRecord> drawn_;
-    gcode::KeptOffsets& offsets_;
-    gcode::ModesTrail& trail_;
-};
-
 RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer)
     : writer_(writer),
       trail_(profile.gcode, program.language.start, program.ring_records + kMostHeldByCore),
@@ -119,9 +80,10 @@ gcode::ProgramBytes RecordFeeder::patient(gcode::ProgramBytes bytes, int awaited
 void RecordFeeder::feed(Program program, const Profile& profile) {
     Sink sink{*this};
     gcode::RecordMaker maker{profile, program.run, sink};
-    JudgedMotion motion{profile, problems_, maker, offsets_, trail_};
+    gcode::JudgedMotion motion{profile, problems_, maker, offsets_, trail_};
     gcode::LineSource lines{patient(std::move(program.bytes), program.awaited_fd)};
     const auto facts = gcode::interpret_program(lines, program.language, motion, problems_);
+    motion.end_block();
     if (!facts) failure_ = facts.error();
     if (facts) facts_ = *facts;
     if (facts && problems_.error_count() == 0 && maker.wants_more() && program.before_end)

@@ -63,7 +63,6 @@ public:
 
 private:
     class Sink;
-    class JudgedMotion;
 
     void feed(Program program, const Profile& profile);
     gcode::ProgramBytes patient(gcode::ProgramBytes bytes, int awaited_fd) const;

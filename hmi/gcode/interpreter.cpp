@@ -36,7 +36,7 @@ bool names_drawing(std::string_view line) noexcept {
 
 Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, ProblemList& problems)
     : options_(options),
-      sink_(sink),
+      sink_(&sink),
       problems_(problems),
       offsets_(options.offsets),
       references_{options.offsets.references[0].value_or(options.reference),
@@ -59,8 +59,12 @@ void Interpreter::run(const Block& block, bool has_doubt) {
     if (!wrong && words_.is_empty()) return;
     if (!wrong) wrong = judge();
     offsets_to_tell_.reset();
+    if (!wrong && may_be_long()) {
+        wrong = rehearse();
+        if (!wrong && !sink_->wants_more()) return;
+    }
     if (!wrong) wrong = execute();
-    if (!wrong && offsets_to_tell_) sink_.set_offsets(*offsets_to_tell_);
+    if (!wrong && offsets_to_tell_) sink_->set_offsets(*offsets_to_tell_);
     if (!wrong) return;
     problems_.add(std::move(*wrong));
     pass_wrong();

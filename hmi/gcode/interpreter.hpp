@@ -98,6 +98,8 @@ private:
     Fault judge_drawing();
     Fault judge_drawing_mode();
     Fault execute();
+    bool may_be_long() const noexcept;
+    Fault rehearse() const;
 
     void set_units();
     Fault set_feed();
@@ -176,7 +178,7 @@ private:
     bool is_cycle(int motion) const noexcept { return motion >= 810; }
 
     InterpreterOptions options_;
-    CanonSink& sink_;
+    CanonSink* sink_;
     ProblemList& problems_;
     BlockMeaning words_;
     ModalState modes_;
@@ -201,6 +203,7 @@ private:
     bool is_motion_doubtful_ = false;
     bool is_end_doubtful_ = false;
     bool has_ended_ = false;
+    bool is_path_q_told_ = false;
     std::uint64_t drawn_chord_count_ = 0;
     std::uint64_t motion_count_ = 0;
     std::uint64_t action_count_ = 0;

@@ -18,6 +18,20 @@ constexpr double kMostPecks = 1e5;
 
 }  // namespace
 
+/// In pecks, or repeated.
+bool Interpreter::may_be_long() const noexcept {
+    return is_cycle(motion_to_be_) && (motion_to_be_ == 830 || words_.has('L'));
+}
+
+/// All of the block, but what it changes here.
+Interpreter::Fault Interpreter::rehearse() const {
+    CanonSink* const judge = sink_->rehearsal();
+    if (judge == nullptr) return std::nullopt;
+    Interpreter rehearsed{*this};
+    rehearsed.sink_ = judge;
+    return rehearsed.execute();
+}
+
 /// Reads the block's words; where the same cycle goes on, earlier ones hold. `modes_.motion` is still the
 /// motion before this block.
 Interpreter::Fault Interpreter::read_cycle_words() {

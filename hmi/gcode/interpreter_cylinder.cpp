@@ -74,7 +74,7 @@ Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, co
     if ((before & axes) != axes) placed_ = static_cast<AxisMask>(placed_ & ~axes);
     const FeedAlong along{feed_of_length(length_mm), length_mm};
     const double share = 1.0 / static_cast<double>(chords.count());
-    for (std::uint64_t chord = 1; chord < chords.count() && sink_.wants_more(); ++chord) {
+    for (std::uint64_t chord = 1; chord < chords.count() && sink_->wants_more(); ++chord) {
         Position at = chords.end_of(chord);
         at[kTurnLetter] /= mm_per_deg;
         emit_drawn(at, share, along, chord == 1, false);

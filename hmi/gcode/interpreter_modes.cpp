@@ -60,14 +60,14 @@ void Interpreter::give(const CanonRecord& given) {
         tell_modes();
         owes_modes_ = is_changing_modes_;
     }
-    sink_.take(given);
+    sink_->take(given);
 }
 
 void Interpreter::tell_modes() {
     const ActiveModes now = active_modes();
     if (told_modes_ == now) return;
     told_modes_ = now;
-    sink_.set_modes(now);
+    sink_->set_modes(now);
 }
 
 ActiveModes Interpreter::active_modes() const noexcept {

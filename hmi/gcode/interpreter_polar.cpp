@@ -108,7 +108,7 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
     double from = 0.0;
     const AxisMask behind = placed_;
     placed_ = static_cast<AxisMask>(behind & before);
-    for (std::uint64_t count = 1; open > 0 && sink_.wants_more() && !is_too_far_;) {
+    for (std::uint64_t count = 1; open > 0 && sink_->wants_more() && !is_too_far_;) {
         const double to = ends[open - 1];
         if (open < ends.size() && way.deviation_mm(from, to) > most_mm) {
             ends[open++] = from + (to - from) / 2.0;

@@ -142,6 +142,11 @@ Interpreter::Fault Interpreter::set_path() {
     for (const char letter : {'P', 'Q'})
         if (code == 640 && words_.has(letter) && words_.value(letter) < 0.0)
             return fault(words_.column(letter), ProblemCode::out_of_range, "a tolerance of less than 0");
+    if (code == 640 && words_.has('Q') && !is_path_q_told_) {
+        is_path_q_told_ = true;
+        problems_.add(fault(words_.column('Q'), ProblemCode::tolerance_unused,
+                            "Q of G64 is not used: the tolerance of P holds for all"));
+    }
     modes_.path = code;
     emit(CanonKind::path, code, has_tolerance ? words_.value('P') * modes_.mm_per_unit : 0.0);
     return std::nullopt;

@@ -91,6 +91,7 @@ constexpr std::array<CodeRow, kProblemCodeCount> kCodeRows{{
     {feed_beside_units, "feed_beside_units", "put the units into a block before the feed"},
     {speed_unused, "speed_unused", "set the speed at the spindle"},
     {coolant_unused, "coolant_unused", "switch coolant by hand"},
+    {tolerance_unused, "tolerance_unused", "say with P how near corners are passed"},
 }};
 
 const CodeRow& row_of(ProblemCode code) noexcept {

@@ -82,8 +82,9 @@ enum class ProblemCode : std::uint8_t {
     feed_beside_units,
     speed_unused,
     coolant_unused,
+    tolerance_unused,
 };
-inline constexpr std::size_t kProblemCodeCount = 71;
+inline constexpr std::size_t kProblemCodeCount = 72;
 
 std::string_view name_of(ProblemCode code) noexcept;
 /// What to do about it, one clause.

@@ -324,6 +324,7 @@ TEST_F(KeptOffsetsOf, AMachineAreNamedAsTheProfileNamesItsAxes) {
     EXPECT_NE(said({"set", "G54", "X"}).find("LETTER=NUMBER"), std::string::npos);
     EXPECT_NE(said({"set", "G54", "X=1", "Y=2e9"}).find("Y=2e9"), std::string::npos);
     EXPECT_NE(said({"set", "G54"}).find("set SYSTEM"), std::string::npos);
+    EXPECT_NE(said({"set", "G54", "X=1", "Y=3", "x=2"}).find("X is given twice"), std::string::npos);
     EXPECT_NE(said({"clear"}).find("clear SYSTEM"), std::string::npos);
     EXPECT_FALSE(has_file());
     write("t.toml", "[gcode]\nletters = \"turning\"\n");

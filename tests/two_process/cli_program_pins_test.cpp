@@ -228,6 +228,25 @@ TEST_F(ProgramPins, OfAStreamHaveNothingOfADrawnWayThatIsRefused) {
     }
 }
 
+// Neither a cycle's begin, nor the way to the point in between, nor what a block switches before it moves.
+TEST_F(ProgramPins, OfAStreamHaveNothingOfABlockThatIsRefused) {
+    start_core();
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const std::vector<std::array<std::string, 2>> blocks{{"G81 X40 Y30 Z-5 R45\n", "outside_travel"},
+                                                         {"G83 X40 Y30 Z-5 R45 Q20\n", "outside_travel"},
+                                                         {"G91 G81 X-9 Y0 Z-.5 R0 L6\n", "outside_travel"},
+                                                         {"G28 X40 M98\n", "word_missing"},
+                                                         {"M3 G0 X99\n", "outside_travel"},
+                                                         {"G0 X40 M98\n", "word_missing"}};
+    for (const auto& [block, code] : blocks) {
+        program("stream.ngc", "G21 G90 F300\nG0 X50 Z50 Y20\n" + block + "M2\n");
+        program("right.ngc", "G21 G90 F300\nG0 X50 Z50 Y20\nM2\n");
+        EXPECT_EQ(streamed("stream.ngc", "--trace " + file("new.trace")), 3) << block;
+        EXPECT_NE(text_of(file("said")).find(code), std::string::npos) << block;
+        EXPECT_EQ(verified(file("new.trace"), file("right.ngc")), 0) << block;
+    }
+}
+
 TEST_F(ProgramPins, AreRecordedFromARunningCore) {
     start_core();
     ASSERT_EQ(run({"home"}).exit_code, 0);

@@ -162,6 +162,13 @@ TEST(Interpreter, KnowsTheRangesOfWordsThatSwitch) {
               (Faults{"1:5 out_of_range", "2:5 out_of_range", "3:5 out_of_range"}));
 }
 
+// CAM systems write it into every program; once is enough.
+TEST(Interpreter, SaysOnceThatItDoesNotUseQOfG64) {
+    EXPECT_EQ(read_program("G64 P.1 Q.2\nG64 Q.2\nG64\nM2\n")->faults(), Faults{"1:9 tolerance_unused"});
+    EXPECT_EQ(read_program("G64 P.1\nG64 Q0\nM2\n")->faults(), Faults{"2:5 tolerance_unused"});
+    EXPECT_EQ(read_program("G61 Q.2\nM2\n")->faults(), Faults{"1:5 word_unused"});
+}
+
 TEST(Canon, WritesEveryKindAsOneObject) {
     const auto read = read_program(
         "F60 S9\nG64 P.1\nG2 X2 Y0 I1\nG4 P.5\nM3\nM8\nM9\nT2 M6\nM50 P0\nM62 P1\nM65 P2\nM66 "

@@ -92,6 +92,56 @@ TEST(SteppedProgram, RestsBehindEachOfItsBlocksWhereOneAtATimeIsAskedFor) {
     EXPECT_EQ(lines, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
 }
 
+Profile two_timer_profile() {
+    Profile profile = program_profile();
+    profile.tick.schedule = Schedule::two_timer;
+    profile.tick.period_us = 100.0;
+    profile.psi.speed_deg_s = 112.5;
+    profile.psi.accel_deg_s2 = 1125.0;
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+        axis->speed_mm_s *= 0.5;
+        axis->accel_mm_s2 *= 0.5;
+    }
+    return profile;
+}
+
+TEST(SteppedProgram, RunsOnTwoTimersWithTheSamePulses) {
+    const auto plain = stepped_order(two_timer_profile(), false, [](ProgramRig&) {});
+    ASSERT_GT(plain.size(), 1'500U);
+    for (const std::uint64_t seed : {3U, 4U}) {
+        motion::Operator hand{seed, 3'000};
+        EXPECT_EQ(stepped_order(two_timer_profile(), false, hand), plain) << seed;
+    }
+}
+
+// Its records do not come: it rests where the last one that has come ends, is held there, and goes on.
+TEST(SteppedProgram, RestsBetweenItsRecordsWhereTheyAreLate) {
+    for (const Profile& profile : {program_profile(), two_timer_profile()}) {
+        const auto plain = stepped_order(profile, false, [](ProgramRig&) {});
+        // Behind a line, an arc, a whole circle, and two lines that do not move both axes.
+        for (const std::size_t come : {3U, 4U, 5U, 7U, 8U, 9U}) {
+            ProgramRig sut{profile};
+            const Script script = mixed_steps(sut.positions());
+            const auto source = sut.give(script.steps);
+            source->written = come;
+            ASSERT_EQ(sut.start(), Refusal::none);
+            ASSERT_TRUE(sut.run_until(MachineState::held)) << come;
+            EXPECT_EQ(sut.program().hold, ProgramHold::starved);
+            EXPECT_EQ(sut.program().starvations, 1U);
+            EXPECT_EQ(sut.program().line, come);
+            EXPECT_EQ(sut.positions(), script.steps[come - 1].target_pulses) << come;
+            sut.run(3 * kPatienceTicks);
+            EXPECT_EQ(sut.cycle->state(), MachineState::held);
+            EXPECT_EQ(sut.positions(), script.steps[come - 1].target_pulses) << come;
+            source->written = script.steps.size();
+            ASSERT_TRUE(sut.run_until(MachineState::ready)) << come;
+            EXPECT_EQ(sut.program().starvations, 1U);
+            EXPECT_EQ(sut.positions(), script.at());
+            EXPECT_EQ(order_of(sut.port->writes), plain) << come;
+        }
+    }
+}
+
 // A block is a run of steps of one axis: of a large circle there are more than wait for the tick at once.
 TEST(SteppedProgram, HasArcsOfMoreBlocksThanTheQueueHolds) {
     Profile profile = program_profile();

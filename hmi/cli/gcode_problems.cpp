@@ -15,11 +15,13 @@ using Json = nlohmann::ordered_json;
 Json problems_json(const std::vector<gcode::Problem>& problems) {
     auto list = Json::array();
     for (const gcode::Problem& problem : problems) {
-        list.push_back({{"line", problem.line},
-                        {"column", problem.column},
-                        {"code", gcode::name_of(problem.code)},
-                        {"what", problem.what},
-                        {"remedy", gcode::remedy_of(problem.code)}});
+        Json row{{"line", problem.line},
+                 {"column", problem.column},
+                 {"code", gcode::name_of(problem.code)},
+                 {"what", problem.what},
+                 {"remedy", gcode::remedy_of(problem.code)}};
+        if (problem.times > 1) row["times"] = problem.times;
+        list.push_back(std::move(row));
     }
     return list;
 }

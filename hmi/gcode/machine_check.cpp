@@ -37,6 +37,7 @@ bool is_new_place(const CanonRecord& record, std::size_t letter) noexcept {
 MachineCheck::MachineCheck(const Profile& profile, ProblemList& problems)
     : problems_(problems),
       letters_(profile.gcode),
+      stepped_(profile),
       axes_{{{Axis::r1, axis_motion(profile, Axis::r1), core_radius_pulses(profile, Axis::r1), "r1"},
              {Axis::r2, axis_motion(profile, Axis::r2), core_radius_pulses(profile, Axis::r2), "r2"},
              {Axis::y, axis_motion(profile, Axis::y), 0, "y"}}},
@@ -62,6 +63,8 @@ void MachineCheck::take(const CanonRecord& record) {
     // What is wrong with a drawn way is told once.
     is_way_refused_ = is_way_refused_ && record.begins_within;
     if (is_way_refused_) return;
+    if (const std::string_view why = stepped_.why_not(record); !why.empty())
+        problems_.count(record.line, record.column, ProblemCode::not_stepped, why);
     switch (record.kind) {
         case CanonKind::rapid:
         case CanonKind::feed:

@@ -6,6 +6,7 @@
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/problem.hpp"
+#include "hmi/gcode/stepped_way.hpp"
 #include "shared/profile/profile.hpp"
 
 namespace psicarve::gcode {
@@ -46,6 +47,7 @@ private:
     ProblemList& problems_;
     bool is_way_refused_ = false;  ///< the drawn one that is not at its end
     AxisLetters letters_;
+    SteppedWays stepped_;
     std::array<LinearAxis, 3> axes_;
     double tips_mm_;  ///< how much further out than counted both heads' tips stand, together
     double clearance_mm_;

@@ -92,6 +92,7 @@ constexpr std::array<CodeRow, kProblemCodeCount> kCodeRows{{
     {speed_unused, "speed_unused", "set the speed at the spindle"},
     {coolant_unused, "coolant_unused", "switch coolant by hand"},
     {tolerance_unused, "tolerance_unused", "say with P how near corners are passed"},
+    {not_stepped, "not_stepped", "docs/gcode.md says which ways run step by step"},
 }};
 
 const CodeRow& row_of(ProblemCode code) noexcept {
@@ -119,13 +120,29 @@ bool is_warning(ProblemCode code) noexcept {
     return code >= feed_beside_units;
 }
 
+std::string what_text(const Problem& problem) {
+    if (problem.times <= 1) return problem.what;
+    return problem.what + " (" + std::to_string(problem.times) + " times, here first)";
+}
+
 std::string problem_text(const Problem& problem, std::string_view file_name) {
     std::string text{file_name};
     text += ':' + std::to_string(problem.line) + ':' + std::to_string(problem.column) + ": ";
     text += name_of(problem.code);
-    text += ": " + problem.what + "; ";
+    text += ": " + what_text(problem) + "; ";
     text += remedy_of(problem.code);
     return text;
+}
+
+void ProblemList::count(std::uint64_t line, std::uint32_t column, ProblemCode code, std::string_view kind) {
+    for (Problem& told : warnings_) {
+        if (told.code != code || told.what != kind) continue;
+        ++told.times;
+        return;
+    }
+    ++warning_count_;
+    // However many others there are.
+    warnings_.push_back({line, column, code, std::string{kind}});
 }
 
 void ProblemList::add(Problem problem) {

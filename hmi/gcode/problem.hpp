@@ -83,8 +83,9 @@ enum class ProblemCode : std::uint8_t {
     speed_unused,
     coolant_unused,
     tolerance_unused,
+    not_stepped,
 };
-inline constexpr std::size_t kProblemCodeCount = 72;
+inline constexpr std::size_t kProblemCodeCount = 73;
 
 std::string_view name_of(ProblemCode code) noexcept;
 /// What to do about it, one clause.
@@ -97,7 +98,10 @@ struct Problem {
     std::uint32_t column = 0;  ///< from 1, in bytes
     ProblemCode code = ProblemCode::bad_character;
     std::string what;
+    std::uint64_t times = 1;  ///< so often there is the same; this is the first
 };
+/// What is wrong, and how often where it is told once.
+std::string what_text(const Problem& problem);
 /// "FILE:LINE:COLUMN: code: what is wrong; remedy"
 std::string problem_text(const Problem& problem, std::string_view file_name);
 
@@ -108,6 +112,8 @@ public:
     static constexpr std::size_t kMostKept = 100;
 
     void add(Problem problem);
+    /// A warning of which there are few kinds: each is told once, where it came first, and how often.
+    void count(std::uint64_t line, std::uint32_t column, ProblemCode code, std::string_view kind);
     const std::vector<Problem>& errors() const noexcept { return errors_; }
     const std::vector<Problem>& warnings() const noexcept { return warnings_; }
     std::uint64_t error_count() const noexcept { return error_count_; }

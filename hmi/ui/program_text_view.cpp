@@ -26,7 +26,7 @@ QString problem_words(const gcode::Problem& problem) {
         return QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size()));
     };
     return QStringLiteral("%1: %2; %3")
-        .arg(text(gcode::name_of(problem.code)), QString::fromStdString(problem.what),
+        .arg(text(gcode::name_of(problem.code)), QString::fromStdString(gcode::what_text(problem)),
              text(gcode::remedy_of(problem.code)));
 }
 

@@ -94,6 +94,34 @@ TEST(MachineCheck, WarnsOfWhatTheMachineCannotSwitchAndTheProgramIsRight) {
     EXPECT_EQ(read->faults(), (Faults{"1:1 speed_unused", "2:1 coolant_unused"}));
 }
 
+// Of each kind once, where it comes first, however many there are and whatever else is told.
+TEST(MachineCheck, WarnsOnceOfEachKindOfWayThatIsNotStepped) {
+    Profile profile;
+    const std::string text =
+        "G21 G90 F600\nG0 X50 Z50 Y40 C0\nG1 X49\nG17 G3 X48 Y41 I-1 J0\no1 repeat [300]\nS100\n"
+        "G1 X49 C5\nG1 X48 C0\no1 endrepeat\nG1 X50 Z49\nG3 I-.01\nG3 I-1 C9\nG19 G3 K-1 Z49 X49\nG3 K-.02\n"
+        "G0 C0\nG0 X59\nG17 G3 X57 Y39 I-1 J-1\nG12.1\nG1 C9\nG1 X50\nG13.1\nM2\n";
+    const auto not_stepped = [&](const Profile& of) {
+        std::vector<std::string> told;
+        const auto read = read_program(text, {}, &of);
+        for (const Problem& problem : read->problems.warnings())
+            if (problem.code == ProblemCode::not_stepped)
+                told.push_back(std::to_string(problem.line) + " " + std::to_string(problem.times) + " " +
+                               problem.what);
+        return told;
+    };
+    EXPECT_EQ(not_stepped(profile), std::vector<std::string>{});
+    profile.gcode.is_stepwise = true;
+    EXPECT_EQ(not_stepped(profile),
+              (std::vector<std::string>{"7 600 a line is carved as with \"path\": psi turns",
+                                        "10 1 a line is carved as with \"path\": both heads move",
+                                        "11 2 an arc stays chords: its radius is below 16 pulses",
+                                        "12 2 an arc stays chords: another axis moves with it",
+                                        "19 2 a drawn way is carved as with \"path\""}));
+    profile.y.pulses_per_mm = 800.0;
+    EXPECT_EQ(not_stepped(profile).at(0), "4 4 an arc stays chords: its head and y differ in pulses per mm");
+}
+
 TEST(MachineCheck, LetsTheOperatorKeepTheOverrides) {
     EXPECT_EQ(faults_of("M48\nM50\nM50 P1\nM51\nM51 P0\nM52 P0\nM53 P0\nM2\n"), Faults{});
     EXPECT_EQ(faults_of("M49\nM50 P0\nM52\nM53 P1\nM2\n"),

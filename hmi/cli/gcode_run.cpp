@@ -71,6 +71,20 @@ Result<void> tell_start(const GcodeRunOptions& options, const Profile& profile,
     return confirm_start(operator_break);
 }
 
+/// What was told of the machine must still hold once a person has answered.
+Result<void> require_unchanged(machine::MachineLink& link, const CoreStatus& told) {
+    const auto now = link.status();
+    if (!now) return now.error();
+    if (const auto ready = require_ready(*now); !ready) return ready;
+    const bool is_same = std::ranges::equal(now->position_pulses, told.position_pulses) &&
+                         ((now->signals ^ told.signals) & bit_of(Signal::spindle)) == 0;
+    if (is_same) return {};
+    return Error{
+        ErrorCode::machine_refused,
+        "the machine was moved or its spindle switched meanwhile; nothing was begun, give the command "
+        "again"};
+}
+
 /// A stream begins when its sender does: by then the machine may stand elsewhere.
 Result<void> wait_for_input(const machine::MachineLink& link, const OperatorBreak& operator_break) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -133,6 +147,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
         if (const auto begun = tell_start(options, profile, (*read)->approach, *status, operator_break);
             !begun)
             return begun.error();
+        if (const auto same = require_unchanged(link, *status); !same) return same.error();
         bytes = gcode::open_unchanged_program(options.path, *options.state);
     }
     if (!bytes) return bytes.error();

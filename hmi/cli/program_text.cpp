@@ -113,7 +113,8 @@ bool was_broken_off(const ProgramStatus& program) {
 
 std::string broken_off_text(const ProgramStatus& program) {
     const std::string line = std::to_string(program.line);
-    return "in line " + line + " of its program; gcode run FILE --from-line " + line + " goes on";
+    return "in line " + line + " of its program; gcode run FILE --from-line " + line +
+           " begins where that line is reached first";
 }
 
 std::string program_text(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {

@@ -15,7 +15,8 @@ namespace psicarve::cli {
 std::string program_place_text(const ProgramReport& report);
 /// Whether the last program ended in a stop or an alarm, with a line at hand.
 bool was_broken_off(const ProgramStatus& program);
-/// Of such a one: "in line 8 of its program; gcode run FILE --from-line 8 goes on".
+/// Of such a one: "in line 8 of its program; gcode run FILE --from-line 8 begins where that line is reached
+/// first": in a loop that is its first pass.
 std::string broken_off_text(const ProgramStatus& program);
 /// Lines for a person, for status: of the one that runs, or where the last one was broken off; else empty.
 /// `profile`: null where the machine's is not known: how far it is to go is not told then.

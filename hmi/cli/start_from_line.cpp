@@ -58,7 +58,7 @@ std::string start_text(const LineStart& start) {
 }
 
 bool can_ask() noexcept {
-    return ::isatty(STDIN_FILENO) != 0;
+    return ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
 }
 
 Result<void> confirm_start(const OperatorBreak& operator_break) {

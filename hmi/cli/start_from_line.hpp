@@ -23,7 +23,7 @@ struct LineStart {
 /// "Line 7: first\n  the spindle goes on\n  both heads go out to the end of their travel\n ..."
 std::string start_text(const LineStart& start);
 
-/// Whether a person can be asked: standard input is a terminal.
+/// Whether a person can be asked and reads the question: standard input and standard error are terminals.
 bool can_ask() noexcept;
 /// Asks on standard error until standard input answers. cancelled: the answer was no, or there was none.
 Result<void> confirm_start(const OperatorBreak& operator_break);

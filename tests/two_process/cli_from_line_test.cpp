@@ -18,32 +18,47 @@ protected:
     std::int64_t r1_pulses() {
         return run({"status", "--json"}).json()["position_pulses"]["r1"].get<std::int64_t>();
     }
-    /// What `gcode run --from-line 4` comes to at a terminal where this is typed: exit code and words.
-    std::pair<int, std::string> answered(const std::string& typed) {
-        const int person = posix_openpt(O_RDWR | O_NOCTTY);
-        EXPECT_GE(person, 0);
-        EXPECT_EQ(grantpt(person) + unlockpt(person), 0);
+    /// Begins `gcode run --from-line 4` at a terminal of its own, until it asks.
+    void begin_at_terminal() {
+        person_ = posix_openpt(O_RDWR | O_NOCTTY);
+        ASSERT_GE(person_, 0);
+        ASSERT_EQ(grantpt(person_) + unlockpt(person_), 0);
+        const std::string terminal = ptsname(person_);
         const std::string command = "( " + in_build("bin/psicarve") + " gcode run " + file("p.ngc") +
-                                    " --from-line 4 --segment " + segment_ + " < " + ptsname(person) + " > " +
-                                    file("said") + " 2>&1; echo $? > " + file("code.part") + "; mv " +
-                                    file("code.part") + " " + file("code") + " ) &";
-        std::filesystem::remove(file("said"));
+                                    " --from-line 4 --segment " + segment_ + " < " + terminal + " 2> " +
+                                    terminal + " > " + file("out") + "; echo $? > " + file("code.part") +
+                                    "; mv " + file("code.part") + " " + file("code") + " ) &";
         std::filesystem::remove(file("code"));
-        EXPECT_EQ(std::system(command.c_str()), 0);
-        EXPECT_TRUE(eventually([&] {
-            return std::filesystem::exists(file("said")) && text_of(file("said")).ends_with("yes or no: ");
-        })) << text_of(file("said"));
-        EXPECT_EQ(write_all(person, typed), typed.size());
-        EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("code")); }))
-            << text_of(file("said"));
-        close(person);
-        return {std::atoi(text_of(file("code")).c_str()), text_of(file("said"))};
+        said_.clear();
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        ASSERT_TRUE(eventually([&] { return says("yes or no: "); })) << said_;
+    }
+    /// Its exit code once this was typed.
+    int answered(const std::string& typed) {
+        EXPECT_EQ(::write(person_, typed.data(), typed.size()), static_cast<ssize_t>(typed.size()));
+        const bool has_ended = eventually([&] {
+            says("");
+            return std::filesystem::exists(file("code"));
+        });
+        EXPECT_TRUE(has_ended) << said_;
+        says("");
+        close(person_);
+        return std::atoi(text_of(file("code")).c_str());
+    }
+    /// What the terminal shows by now.
+    bool says(const std::string& words) {
+        pollfd shown{person_, POLLIN, 0};
+        char part[512];
+        while (poll(&shown, 1, 0) > 0 && (shown.revents & POLLIN) != 0) {
+            const ssize_t count = read(person_, part, sizeof part);
+            if (count <= 0) break;
+            said_.append(part, static_cast<std::size_t>(count));
+        }
+        return said_.find(words) != std::string::npos;
     }
 
-private:
-    static std::size_t write_all(int descriptor, const std::string& text) {
-        return static_cast<std::size_t>(::write(descriptor, text.data(), text.size()));
-    }
+    int person_ = -1;
+    std::string said_;
 };
 
 TEST_F(FromLine, MovesNothingWhereNobodyCanConfirmIt) {
@@ -65,15 +80,27 @@ TEST_F(FromLine, IsBegunByAYesAlone) {
     start_homed();
     const std::int64_t before = r1_pulses();
     for (const char* answer : {"no\n", "\n", "yesterday\n"}) {
-        const auto [code, said] = answered(answer);
-        EXPECT_EQ(code, 4) << answer << said;
-        EXPECT_NE(said.find("nothing has moved"), std::string::npos) << said;
+        ASSERT_NO_FATAL_FAILURE(begin_at_terminal());
+        EXPECT_EQ(answered(answer), 4) << answer << said_;
+        EXPECT_TRUE(says("nothing has moved")) << said_;
         EXPECT_EQ(r1_pulses(), before) << answer;
     }
-    const auto [code, said] = answered("yes\n");
-    EXPECT_EQ(code, 0) << said;
-    EXPECT_NE(said.find("the spindle goes on"), std::string::npos) << said;
+    ASSERT_NO_FATAL_FAILURE(begin_at_terminal());
+    EXPECT_EQ(answered("yes\n"), 0) << said_;
+    EXPECT_TRUE(says("the spindle goes on")) << said_;
     EXPECT_EQ(r1_pulses(), 39 * 400);
+}
+
+TEST_F(FromLine, IsNotBegunWhereTheMachineWasChangedWhileItAsked) {
+    start_homed();
+    for (const std::vector<std::string>& change :
+         {std::vector<std::string>{"spindle", "on"}, {"jog", "r1", "-1"}, {"drives-off"}}) {
+        ASSERT_NO_FATAL_FAILURE(begin_at_terminal());
+        ASSERT_EQ(run(change).exit_code, 0) << change.front();
+        const std::int64_t before = r1_pulses();
+        EXPECT_EQ(answered("yes\n"), 4) << change.front() << said_;
+        EXPECT_EQ(r1_pulses(), before) << change.front();
+    }
 }
 
 }  // namespace

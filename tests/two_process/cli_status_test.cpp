@@ -77,7 +77,7 @@ TEST_F(Status, NamesTheLineInWhichAnAlarmBrokeAProgramOff) {
     ASSERT_EQ(run({"estop"}).exit_code, 0);
     EXPECT_EQ(running.wait(), 4);
     EXPECT_NE(
-        running.error().find("; it ended in line 3 of its program; gcode run FILE --from-line 3 goes on"),
+        running.error().find("; it ended in line 3 of its program; gcode run FILE --from-line 3 begins "),
         std::string::npos)
         << running.error();
     EXPECT_NE(run({"status"}).out.find("program    the last one ended in line 3 "), std::string::npos)

@@ -49,18 +49,17 @@ TEST(ProgramText, NamesTheLineInWhichTheLastOneWasBrokenOff) {
     report.status.is_running = 0;
     CoreStatus machine{};
     machine.state = MachineState::alarm;
-    EXPECT_EQ(
-        program_text(report, machine, nullptr),
-        "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 goes on, once "
-        "the machine is homed\n");
+    EXPECT_EQ(program_text(report, machine, nullptr),
+              "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 begins "
+              "where that line is reached first, once the machine is homed\n");
     EXPECT_EQ(last_program_json(report.status)["line"], 8);
     EXPECT_EQ(last_program_json(report.status)["is_done"], false);
     EXPECT_EQ(program_json(report, machine, nullptr), nullptr);
     machine.state = MachineState::ready;
     machine.homed_mask = 0xF;
-    EXPECT_EQ(
-        program_text(report, machine, nullptr),
-        "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 goes on\n");
+    EXPECT_EQ(program_text(report, machine, nullptr),
+              "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 begins "
+              "where that line is reached first\n");
     machine.state = MachineState::carving;  // a job
     EXPECT_EQ(program_text(report, machine, nullptr), "");
     machine.state = MachineState::ready;

@@ -20,8 +20,10 @@ struct ProgramStep {
     std::uint64_t line = 0;      ///< from 1
     std::uint64_t sequence = 0;  ///< of the record, from 1
     Pulses4 target_pulses{};     ///< way: where all axes are after it
-    double seconds = 0.0;        ///< way: the least it may take; dwell: how long
-    double tolerance_mm = 0.0;   ///< way: 0: its end is reached to the pulse, at rest
+    /// Where the program has them beyond that: up to half a pulse, which rounding took or gave.
+    std::array<double, kAxisCount> rounded_off_pulses{};
+    double seconds = 0.0;       ///< way: the least it may take; dwell: how long
+    double tolerance_mm = 0.0;  ///< way: 0: its end is reached to the pulse, at rest
     /// By point-by-point comparison, from rest to rest: a line or an arc of these axes, bit by axis.
     cycle::OrderShape shape = cycle::OrderShape::straight;
     std::uint8_t stepped_axes = 0;

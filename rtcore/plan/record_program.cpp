@@ -19,40 +19,11 @@ using cycle::MotionBlock;
 
 // No feed over the surface: a program says itself how long each way takes.
 constexpr double kNoFeed_mm_s = 1e9;
-// Of a way that takes longer at full speed than this, points are added near its ends: speeds change evenly
-// between nodes, and there they change much.
-constexpr double kLongWay_s = 0.03;
-constexpr double kRampParts = 4.0;
-constexpr double kRampsApart = 1.25;
-// Whole numbers of a longer line would not fit.
-constexpr std::int64_t kLongestWayPulses = std::int64_t{1} << 30;
-// Of a way that takes longer at full speed, as turns of psi may, cuts to a quarter of a pulse would be
-// without number: it is gone by itself, straight and from rest to rest.
-constexpr double kLongestCurved_s = 300.0;
 // More than a window of ways can have.
 constexpr int kMostStepsAtOnce = 4096;
 // More would be no tolerance of this machine's any more; less is exact to the pulse.
 constexpr double kMostTolerances = 1000.0;
 constexpr double kLeastTolerance = 0.001;
-
-std::int64_t longest_pulses(const Pulses4& from, const Pulses4& to) {
-    std::int64_t longest = 0;
-    for (std::size_t k = 0; k < kAxisCount; ++k) longest = std::max(longest, std::abs(to[k] - from[k]));
-    return longest;
-}
-
-double seconds_along(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
-    double length2 = 0.0;
-    for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double seconds = static_cast<double>(to[k] - from[k]) / limits.axes[k].speed_pps;
-        length2 += seconds * seconds;
-    }
-    return std::sqrt(length2);
-}
-
-bool is_very_long(const MachineLimits& limits, const Pulses4& from, const Pulses4& to) {
-    return longest_pulses(from, to) > kLongestWayPulses || seconds_along(limits, from, to) > kLongestCurved_s;
-}
 
 // A rest may be left any way at once: what was jumped to it and what is jumped from it are not more than one
 // jump together.
@@ -72,6 +43,7 @@ RecordProgram::RecordProgram(const MachineLimits& limits, std::shared_ptr<StepSo
       source_(std::move(source)),
       is_single_(is_single),
       part_points_(part_points),
+      asked_pulses_(start_pulses),
       speeds_(limits_, curve_accel(limits_)) {
     points_.push_back({start_pulses, 0, 0, false});
     ways_.push_back({});
@@ -129,8 +101,10 @@ bool RecordProgram::make_blocks() {
 void RecordProgram::take(const ProgramStep& step) {
     line_ = step.line;
     sequence_ = step.sequence;
-    if (step.shape != cycle::OrderShape::straight) return take_stepped(step);
-    if (step.kind == MotionKind::way) return take_way(step);
+    if (step.kind == MotionKind::way || step.kind == MotionKind::arc) {
+        const ProgramStep paced = at_the_programs_pace(step);
+        return step.shape == cycle::OrderShape::straight ? take_way(paced) : take_stepped(paced);
+    }
     come_to_rest();
     switch (step.kind) {
         case MotionKind::way:
@@ -151,7 +125,7 @@ void RecordProgram::take(const ProgramStep& step) {
 }
 
 void RecordProgram::take_way(const ProgramStep& step) {
-    if (is_very_long(limits_, points_.back().pulses, step.target_pulses)) {
+    if (is_very_long(step)) {
         take_very_long_way(step);
         if (is_single_ && step.ends_block) halt(ProgramHold::single, step.line);
         return;
@@ -169,23 +143,6 @@ void RecordProgram::take_way(const ProgramStep& step) {
         go_ahead();
     }
     if (halts) halt(ProgramHold::single, step.line);
-}
-
-void RecordProgram::take_very_long_way(const ProgramStep& step) {
-    come_to_rest();
-    const Pulses4 from = points_.back().pulses;
-    const std::int64_t parts = longest_pulses(from, step.target_pulses) / kLongestWayPulses + 1;
-    for (std::int64_t part = 1; part <= parts; ++part) {
-        ProgramStep to = step;
-        const double share = static_cast<double>(part) / static_cast<double>(parts);
-        to.seconds = step.seconds / static_cast<double>(parts);
-        to.tolerance_mm = 0.0;
-        for (std::size_t k = 0; k < kAxisCount && part < parts; ++k)
-            to.target_pulses[k] =
-                from[k] + round_to_pulse(share * static_cast<double>(step.target_pulses[k] - from[k]));
-        add_way(to);
-        come_to_rest();
-    }
 }
 
 // From rest to rest.
@@ -224,48 +181,6 @@ bool RecordProgram::next_stepped(MotionBlock& block) {
     next_ = 0;
     if (halts_behind_stepped_) halt(ProgramHold::single, line_);
     return false;
-}
-
-// Near its ends a long way gets points of its own, on the chord to half a pulse.
-void RecordProgram::add_way(const ProgramStep& step) {
-    const Pulses4 from = points_.back().pulses;
-    const std::size_t first = points_.size();
-    Lanes way;
-    for (std::size_t k = 0; k < kAxisCount; ++k)
-        way[k] = static_cast<double>(step.target_pulses[k] - from[k]);
-    const double length = seconds_along(limits_, from, step.target_pulses);
-    std::vector<double> shares;
-    if (step.tolerance_mm > 0.0 && length > kLongWay_s) {
-        Lanes slope;
-        for (std::size_t k = 0; k < kAxisCount; ++k) slope[k] = way[k] / length;
-        const double ramp = 0.5 / accel_along_way(limits_, slope);
-        const double apart = ramp / kRampParts;
-        const double most = std::min(kRampsApart * ramp, 0.5 * length);
-        for (int i = 1; i * apart < most; ++i) {
-            const double at = i * apart;
-            shares.push_back(at / length);
-            shares.push_back(1.0 - at / length);
-        }
-    }
-    std::sort(shares.begin(), shares.end());
-    for (const double share : shares) {
-        Pulses4 on_the_way;
-        for (std::size_t k = 0; k < kAxisCount; ++k) on_the_way[k] = from[k] + round_to_pulse(way[k] * share);
-        if (on_the_way != points_.back().pulses && on_the_way != step.target_pulses)
-            points_.push_back({on_the_way, 0, 0, false});
-    }
-    points_.push_back({step.target_pulses, 0, 0, false});
-    ways_.resize(points_.size(), {{step.line, step.sequence}, least_pace2(step, first)});
-}
-
-// Along the way, points from `first` on, u passes at most as fast as its least time allows.
-Timings RecordProgram::least_pace2(const ProgramStep& step, std::size_t first) const {
-    double length = 0.0;
-    for (std::size_t i = first; i < points_.size(); ++i)
-        length += seconds_along(limits_, points_[i - 1].pulses, points_[i].pulses);
-    const double pace = step.seconds / length;
-    const double quickest = step.is_rapid ? 1.0 : 1.0 / kFeedFactor[1];
-    return {pace * pace, quickest * quickest * pace * pace};
 }
 
 // Plans all that was gathered; the next window begins where it ends.
@@ -308,7 +223,7 @@ void RecordProgram::drop_points(std::size_t count) {
 void RecordProgram::look_at_spans() {
     if (!is_open_) set_limits();
     spans_ = path_spans(limits_, points_);
-    for (std::size_t i = 0; i < spans_.size(); ++i) spans_[i].least_pace2 = ways_[i + 1].least_pace2;
+    set_paces();
     corners_ = path_corners(limits_, spans_, gap_ways_);
 }
 

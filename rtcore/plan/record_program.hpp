@@ -56,10 +56,13 @@ private:
     struct Way {
         RecordPlace place;
         Timings least_pace2;
+        double longer_by;  ///< of u: the ways since the point before, by rounding; on the last point of each
     };
 
     bool make_blocks();
     void take(const ProgramStep& step);
+    ProgramStep at_the_programs_pace(const ProgramStep& step);
+    bool is_very_long(const ProgramStep& step) const;
     void take_way(const ProgramStep& step);
     void take_very_long_way(const ProgramStep& step);
     void take_stepped(const ProgramStep& step);
@@ -74,6 +77,7 @@ private:
     void rest_at(std::size_t point);
     void drop_points(std::size_t count);
     void look_at_spans();
+    void set_paces();
     void set_limits();
     bool decide_part(std::size_t to);
     void plan_stretch(std::size_t first, std::size_t last);
@@ -97,6 +101,9 @@ private:
     bool is_ended_ = false;
     std::uint64_t line_ = 0;      ///< of the step taken last
     std::uint64_t sequence_ = 0;  ///< of that step
+    Pulses4 asked_pulses_;        ///< where the last way of the program ends
+    Lanes rounded_off_pulses_{};  ///< and what its end lost by that
+    double longer_by_ = 0.0;      ///< of ways behind the last point
 
     // A way by point-by-point comparison: its blocks come one by one, behind blocks_.
     std::optional<SteppedProgram> stepped_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/program/record_intake.hpp"
 
+#include <cstddef>
+
 namespace psicarve::program {
 
 using plan::Supply;
@@ -28,8 +30,11 @@ Supply RecordIntake::take(RingAnswer answer, const MotionRecord& record, plan::P
         const bool is_line_known = answer == RingAnswer::done && record.program == feed_.program();
         return finish(Supply::refused, is_line_known ? record.line : line_, fault);
     }
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        if ((record.axes & (1U << k)) == 0) found.rounded_off_pulses[k] = rounded_off_pulses_[k];
     step = found;
     at_ = found.target_pulses;
+    rounded_off_pulses_ = found.rounded_off_pulses;
     taken_ = record.sequence;
     line_ = record.line;
     const bool is_end = record.kind == MotionKind::end;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -26,7 +27,10 @@ public:
     RecordIntake(ProgramFeed feed, const Profile& profile, const plan::Pulses4& start) noexcept
         : feed_(feed), rules_(profile), at_(start) {}
 
-    void begin(const plan::Pulses4& start) noexcept override { at_ = start; }
+    void begin(const plan::Pulses4& start) noexcept override {
+        at_ = start;
+        rounded_off_pulses_ = {};
+    }
     plan::Supply next(plan::ProgramStep& step) override;
 
     /// Waits until there may be something other than `later`, at most so long.
@@ -54,6 +58,7 @@ private:
     ProgramFeed feed_;
     RecordRules rules_;
     plan::Pulses4 at_;
+    std::array<double, kAxisCount> rounded_off_pulses_{};  ///< as ProgramStep has it, of the last step
     std::uint64_t taken_ = 0;
     std::uint64_t line_ = 0;
     plan::Supply over_ = plan::Supply::step;  ///< once it is ended, lost or refused

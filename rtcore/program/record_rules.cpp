@@ -114,7 +114,7 @@ Message RecordRules::judge(const MotionRecord& record, const plan::Pulses4& at,
                              .tolerance_mm = record.tolerance_mm};
     if (record.kind == MotionKind::stop) step.reason = static_cast<StopReason>(record.code);
     if (record.kind != MotionKind::way && record.kind != MotionKind::arc) return {};
-    if (const Message wrong = judge_way(record, at, step.target_pulses); !wrong.is_none()) return wrong;
+    if (const Message wrong = judge_way(record, at, step); !wrong.is_none()) return wrong;
     if (record.kind == MotionKind::way && (record.flags & kIsStepped) == 0) return {};
     return judge_stepped(record, at, step);
 }
@@ -174,7 +174,7 @@ Message RecordRules::judge_arc(const MotionRecord& record, const plan::Pulses4& 
 }
 
 Message RecordRules::judge_way(const MotionRecord& record, const plan::Pulses4& at,
-                               plan::Pulses4& target) const noexcept {
+                               plan::ProgramStep& step) const noexcept {
     for (const Axis axis : kAllAxes) {
         const std::size_t k = index_of(axis);
         if ((record.axes & (1U << k)) == 0) continue;
@@ -183,12 +183,13 @@ Message RecordRules::judge_way(const MotionRecord& record, const plan::Pulses4& 
             return message_of(MessageId::program_cannot_count_so_far, count_argument(record.line),
                               argument_of(axis));
         }
-        target[k] = round_to_pulse(pulses);
+        step.target_pulses[k] = round_to_pulse(pulses);
+        step.rounded_off_pulses[k] = pulses - static_cast<double>(step.target_pulses[k]);
         // On its way each axis stays between begin and end: it never turns round.
-        const Message wrong = judge_place(record.line, axis, target[k]);
+        const Message wrong = judge_place(record.line, axis, step.target_pulses[k]);
         if (!wrong.is_none()) return wrong;
     }
-    return judge_tips(record.line, at, target);
+    return judge_tips(record.line, at, step.target_pulses);
 }
 
 Message RecordRules::judge_place(std::uint64_t line, Axis axis, std::int64_t position) const noexcept {

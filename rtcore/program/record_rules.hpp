@@ -23,13 +23,13 @@ public:
     explicit RecordRules(const Profile& profile);
 
     /// `at`: where all axes are before it. No message: the record is good, and `step` is what it asks for.
-    /// Otherwise `step` is not to be used.
+    /// Otherwise `step` is not to be used. Of axes that the record does not name nothing was rounded off.
     Message judge(const MotionRecord& record, const plan::Pulses4& at,
                   plan::ProgramStep& step) const noexcept;
 
 private:
     Message judge_way(const MotionRecord& record, const plan::Pulses4& at,
-                      plan::Pulses4& target) const noexcept;
+                      plan::ProgramStep& step) const noexcept;
     Message judge_stepped(const MotionRecord& record, const plan::Pulses4& at,
                           plan::ProgramStep& step) const noexcept;
     Message judge_arc(const MotionRecord& record, const plan::Pulses4& at,

@@ -64,6 +64,31 @@ protected:
     ProgramStep step_;
 };
 
+// An axis that a record does not name stays where the program has it, not where its pulses are.
+TEST_F(RecordIntakeTest, KeepsWhatRoundingTookFromAnAxisUntilItIsNamedAgain) {
+    const double per_mm = axis_motion(profile_, Axis::r1).pulses_per_unit;
+    const auto put_way = [&](std::uint64_t sequence, std::uint8_t axes, double r1_pulses) {
+        put(numbered_record(sequence), [&](MotionRecord& record) {
+            record.axes = axes;
+            record.target[0] = r1_pulses / per_mm;
+        });
+    };
+    put_way(1, 1, 8'000.25);
+    put_way(2, 1U << index_of(Axis::psi), 0.0);
+    put_way(3, 1, 8'000.0);
+    ASSERT_EQ(next(), Supply::step);
+    EXPECT_EQ(step_.target_pulses[0], 8'000);
+    EXPECT_NEAR(step_.rounded_off_pulses[0], 0.25, 1e-9);
+    ASSERT_EQ(next(), Supply::step);
+    EXPECT_NEAR(step_.rounded_off_pulses[0], 0.25, 1e-9);
+    ASSERT_EQ(next(), Supply::step);
+    EXPECT_NEAR(step_.rounded_off_pulses[0], 0.0, 1e-9);
+    sut_.begin(start_);
+    put_way(4, 1U << index_of(Axis::psi), 0.0);
+    ASSERT_EQ(next(), Supply::step);
+    EXPECT_EQ(step_.rounded_off_pulses[0], 0.0);
+}
+
 TEST_F(RecordIntakeTest, GivesEachRecordOnceInItsOrderAndThenItsEnd) {
     for (std::uint64_t i = 1; i <= 9; ++i) put(numbered_record(i));
     put_end(10);

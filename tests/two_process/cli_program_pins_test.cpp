@@ -16,6 +16,7 @@
 #include "shared/record/snapshot_file.hpp"
 #include "tests/places.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
+#include "tests/two_process/table_program.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -359,35 +360,13 @@ TEST_F(ProgramPins, AreJudgedByAProgramInsteadOfAJob) {
     EXPECT_EQ(psicarve({"verify", path, "--program", wrong}).exit_code, 3);
 }
 
-std::string block(const char* words, double r1_mm, double r2_mm, double psi_deg, double y_mm) {
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "%s X%.6f Z%.6f C%.6f Y%.6f\n", words, r1_mm, r2_mm, psi_deg,
-                  y_mm);
-    return text.data();
-}
-
 // A table, written out as a program: its pins carve the very job, judged as one.
 TEST_F(ProgramPins, OfATableAreThoseOfItsJob) {
     const std::string job_path = job("3", "40");
     const auto snapshot = load_snapshot(job_path);
     ASSERT_TRUE(snapshot) << snapshot.error().message;
     const JobView table = JobView::check(snapshot->job_blob).value();
-    const Profile profile;
-    const auto at = [&](const char* words, std::uint32_t layer, std::uint32_t step, double out_mm) {
-        const std::uint32_t point = carved_point(table.joining(), table.point_count(), layer, step);
-        return block(words, table.r_left_pulses(layer)[point] / profile.r1.pulses_per_mm + out_mm,
-                     table.r_right_pulses(layer)[point] / profile.r2.pulses_per_mm + out_mm,
-                     360.0 * static_cast<double>(table.psi_pulses(layer, point)) /
-                         static_cast<double>(profile.psi.pulses_per_rev),
-                     static_cast<double>(table.y_pulses(layer, point)) / profile.y.pulses_per_mm);
-    };
-    std::string text = "G21 G90 G94 G61 F1200\n" + at("G0", 0, 0, 10.0) + "M3\n";
-    for (std::uint32_t layer = 0; layer < table.layer_count(); ++layer) {
-        if (layer > 0) text += at("G0", layer - 1, table.point_count() - 1, 10.0) + at("G0", layer, 0, 10.0);
-        for (std::uint32_t step = 0; step < table.point_count(); ++step) text += at("G1", layer, step, 0.0);
-    }
-    text += at("G0", table.layer_count() - 1, table.point_count() - 1, 10.0) + "M5\nM2\n";
-    const std::string path = program("table.ngc", text);
+    const std::string path = program("table.ngc", program_of_table(table, Profile{}, "G61"));
     const Outcome done = run({"gcode", "run", path, "--simulate", "--trace", file("pins.trace")});
     ASSERT_EQ(done.exit_code, 0) << done.error << done.out;
     const Outcome judged = psicarve({"verify", job_path, file("pins.trace")});

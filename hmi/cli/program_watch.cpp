@@ -41,6 +41,15 @@ Result<void> ProgramWatch::look(const CoreStatus& status) {
     return operator_break_.pass_on(link_);
 }
 
+namespace {
+
+/// More follows.
+std::string without_full_stop(const std::string& sentence) {
+    return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
+}
+
+}  // namespace
+
 Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& start, ProgramWatch& watch) {
     const auto before = link.status();
     if (!before) return before.error();
@@ -57,7 +66,7 @@ Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& s
     if (!ended) {
         Error error = ended.error();
         if (report.status.program == start.program && was_broken_off(report.status))
-            error.message += "; it ended " + broken_off_text(report.status);
+            error.message = without_full_stop(error.message) + "; it ended " + broken_off_text(report.status);
         return error;
     }
     const bool is_whole = report.progress.program == start.program &&

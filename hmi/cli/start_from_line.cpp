@@ -54,6 +54,7 @@ std::string start_text(const LineStart& start) {
     }
     if (approach.placed != 0 || start.is_dry) text += ways_text(start);
     if (!start.is_spindle_on && !turns_on) text += "  the spindle stays off until the program turns it on\n";
+    text.pop_back();
     return text;
 }
 

@@ -20,7 +20,7 @@ struct LineStart {
     bool is_spindle_on = false;  ///< the machine's, now
 };
 
-/// "Line 7: first\n  the spindle goes on\n  both heads go out to the end of their travel\n ..."
+/// "before line 7 the machine does this:\n  the spindle goes on\n ...", without a line's end at its own.
 std::string start_text(const LineStart& start);
 
 /// Whether a person can be asked and reads the question: standard input and standard error are terminals.

@@ -13,9 +13,11 @@ bool JudgedMotion::is_right(const CanonRecord& record) {
 }
 
 void JudgedMotion::take(const CanonRecord& record) {
-    if (!is_right(record)) return;
-    if (is_rehearsed_) return give(record);
-    held_.push_back(record);
+    if (is_rehearsed_) {
+        if (!is_wrong()) give(record);
+        return;
+    }
+    if (is_right(record)) held_.push_back(record);
 }
 
 void JudgedMotion::set_modes(const ActiveModes& modes) {

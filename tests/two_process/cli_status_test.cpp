@@ -80,6 +80,7 @@ TEST_F(Status, NamesTheLineInWhichAnAlarmBrokeAProgramOff) {
         running.error().find("; it ended in line 3 of its program; gcode run FILE --from-line 3 begins "),
         std::string::npos)
         << running.error();
+    EXPECT_EQ(running.error().find(".;"), std::string::npos) << running.error();
     EXPECT_NE(run({"status"}).out.find("program    the last one ended in line 3 "), std::string::npos)
         << run({"status"}).out;
     const auto told = run({"status", "--json"}).json();

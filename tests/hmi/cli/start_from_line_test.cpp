@@ -22,7 +22,7 @@ TEST(StartFromLine, SaysStepByStepWhatComesFirst) {
               "  both heads go out to the end of their travel\n"
               "  psi turns to 450.000 deg, all turns\n"
               "  y goes to 5.250 mm\n"
-              "  the heads come in: r1 to 40.000 mm, r2 to 41.500 mm\n");
+              "  the heads come in: r1 to 40.000 mm, r2 to 41.500 mm");
 }
 
 TEST(StartFromLine, SaysOnlyWhatIsMoved) {
@@ -33,13 +33,13 @@ TEST(StartFromLine, SaysOnlyWhatIsMoved) {
               "before line 7 the machine does this:\n"
               "  both heads go out to the end of their travel\n"
               "  the heads come in: r2 to 41.500 mm\n"
-              "  the spindle stays off until the program turns it on\n");
+              "  the spindle stays off until the program turns it on");
     start.approach.placed = 0;
     start.is_spindle_on = true;
     EXPECT_EQ(start_text(start),
               "before line 7 the machine does this:\n"
               "  nothing: no line before it moves anything\n"
-              "  the spindle is on and stays on\n");
+              "  the spindle is on and stays on");
 }
 
 TEST(StartFromLine, OfADryRunLeavesHeadsOutAndTheSpindleOff) {
@@ -52,7 +52,7 @@ TEST(StartFromLine, OfADryRunLeavesHeadsOutAndTheSpindleOff) {
               "  psi turns\n"
               "  y goes to 5.250 mm\n"
               "  the heads stay out (dry run)\n"
-              "  the spindle stays off until the program turns it on\n");
+              "  the spindle stays off until the program turns it on");
 }
 
 }  // namespace

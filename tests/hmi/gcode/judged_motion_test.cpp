@@ -16,7 +16,7 @@ namespace {
 /// A stream that is judged, made and written down as it comes, and how much of it was held at most.
 class JudgedStream : public CanonSink {
 public:
-    explicit JudgedStream(const std::string& text) {
+    explicit JudgedStream(const std::string& text, const Profile& profile = {}) : profile_(profile) {
         InterpreterOptions options = machine_options(profile_);
         options.start = options.reference;
         options.ends_with_input = true;
@@ -57,6 +57,19 @@ constexpr const char* kJudgedBegin = "G21 G90 F300\nG0 X50 Z50 Y20\n";
 
 bool are_same(const MotionRecord& first, const MotionRecord& second) {
     return std::memcmp(&first, &second, sizeof first) == 0;
+}
+
+// Long cycles are judged before they are carried out, and not once more.
+TEST(JudgedMotion, TellsOfEachWayOnceHoweverLongItsBlock) {
+    Profile profile;
+    profile.gcode.is_stepwise = true;
+    profile.gcode.second_head = SecondHead::follow;
+    // Both heads drill: no such way is stepped.
+    const JudgedStream stream{"G21 G90 F300\nG0 X50 Y20\nG19 G83 Y30 X40 R45 Q1\n", profile};
+    EXPECT_EQ(stream.problems.error_count(), 0U);
+    ASSERT_EQ(stream.problems.warnings().size(), 1U);
+    EXPECT_EQ(stream.problems.warnings()[0].code, ProblemCode::not_stepped);
+    EXPECT_EQ(stream.problems.warnings()[0].times, 5U);
 }
 
 TEST(JudgedMotion, GivesNothingOfABlockThatIsWrong) {

@@ -47,6 +47,7 @@ bool Cycle::holds_starved_program() noexcept {
 void Cycle::program_of_records_done() noexcept {
     note_program_line();
     program_.note_done();
+    job_.set_override(JobRun::kFullFeed_percent);
     pulses_.set_spindle(false);
     drop_plan();
     apply(MachineEvent::program_done);

@@ -11,7 +11,7 @@ void JobRun::load(std::uint64_t generation, std::uint64_t points_total,
     generation_ = generation;
     points_total_ = points_total;
     points_per_layer_ = points_per_layer;
-    override_percent_ = 100;
+    override_percent_ = kFullFeed_percent;
 }
 
 Refusal JobRun::judge(LayerRange layers) const noexcept {

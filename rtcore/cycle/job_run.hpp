@@ -53,6 +53,7 @@ public:
     bool is_dry() const noexcept { return is_dry_; }
 
     /// Of the planned feed while carving; stays through alarms until the next job is loaded.
+    static constexpr std::uint64_t kFullFeed_percent = 100;
     void set_override(std::uint64_t percent) noexcept { override_percent_ = percent; }
     double feed_ratio() const noexcept { return static_cast<double>(override_percent_) / 100.0; }
 
@@ -63,7 +64,7 @@ private:
     std::uint64_t generation_ = 0;
     std::uint64_t points_total_ = 0;
     std::uint64_t points_per_layer_ = 0;
-    std::uint64_t override_percent_ = 100;
+    std::uint64_t override_percent_ = kFullFeed_percent;
     std::uint64_t first_layer_ = 0;
     std::uint64_t end_layer_ = 0;  ///< one past the last that is to be carved
     std::uint32_t index_layer_ =

@@ -207,6 +207,23 @@ TEST(Program, WithARefusedRecordRunsAllBeforeItAndCanOnlyBeStopped) {
     EXPECT_EQ(sut.program().is_done, 0U);
 }
 
+// Set before the start it holds, and what broke a program off leaves it for going on with.
+TEST(Program, TakesItsOverrideAlongAtItsEndAlone) {
+    ProgramRig sut;
+    ASSERT_EQ(sut.ask(RequestKind::override, 0, 60), Refusal::none);
+    sut.give(some_steps(sut.positions()));
+    ASSERT_EQ(sut.start(), Refusal::none);
+    sut.stop();
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(sut.cycle->sample().override_percent, 60U);
+    sut.give(some_steps(sut.positions()));
+    ASSERT_EQ(sut.start(), Refusal::none);
+    EXPECT_EQ(sut.cycle->sample().override_percent, 60U);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(sut.program().is_done, 1U);
+    EXPECT_EQ(sut.cycle->sample().override_percent, 100U);
+}
+
 TEST(Program, StopsWhereverItIs) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         ProgramRig sut;

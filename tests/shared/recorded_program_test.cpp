@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "shared/machine/unreplayed_program.hpp"
+
 namespace psicarve {
 namespace {
 
@@ -81,6 +83,15 @@ TEST(RecordedProgram, TakesNoEventAndNoReasonThatItDoesNotKnow) {
     EXPECT_EQ(recorded_program(std::vector{record}).is_running, 0U);
     record = record_of(ProgramEvent::held, 8, 34, 200);
     EXPECT_EQ(recorded_program(std::vector{record}).hold, ProgramHold::none);
+}
+
+TEST(RecordedProgram, TellsWhyItIsNotReplayedWhereThereIsOne) {
+    EXPECT_EQ(unreplayed_program_text({}), "");
+    std::vector records{record_of(ProgramEvent::begun, 7)};
+    EXPECT_NE(unreplayed_program_text(records).find("in G-code, before its first line, "), std::string::npos);
+    records.push_back(record_of(ProgramEvent::held, 8, 34));
+    EXPECT_NE(unreplayed_program_text(records).find("a program in G-code, up to line 8, "),
+              std::string::npos);
 }
 
 TEST(RecordedProgram, TakesTheLargestSequenceThatFits) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "hmi/cli/gcode_problems.hpp"
 #include "hmi/cli/log_time.hpp"
 #include "hmi/report/status_json.hpp"
 #include "hmi/report/utc_text.hpp"
@@ -124,11 +125,19 @@ std::string job_text(const JournalRecord& record) {
                 told(facts, "checksum", ", job ");
     }
     text += told(facts, "first_layer", " with layer ") + told(facts, "how", ": ") + place_text(facts);
-    if (record.what == "program ended")
-        return record.what + told(facts, "how", ": ") + told(facts, "line", " at line ") +
-               told(facts, "reason", "; ");
     if (facts.number("dry")) text += ", dry";
     return text;
+}
+
+/// "program held: tool change at line 8"
+std::string program_text(const JournalRecord& record) {
+    const JournalFacts& facts = record.facts;
+    std::string text = record.what + told(facts, "number", ", no. ") + told(facts, "how", ": ") +
+                       told(facts, "line", " at line ");
+    if (facts.number("single")) text += ", single block";
+    const auto waits = facts.number("waits");
+    if (waits) text += "; it had to wait for more " + count_text(static_cast<std::uint64_t>(*waits), "time");
+    return text + told(facts, "reason", "; ");
 }
 
 std::string what_text(const JournalRecord& record) {
@@ -142,7 +151,7 @@ std::string what_text(const JournalRecord& record) {
         case JournalKind::command:
             return command_text(record);
         case JournalKind::job:
-            return job_text(record);
+            return record.what.starts_with("program ") ? program_text(record) : job_text(record);
     }
     return record.what;
 }

@@ -96,6 +96,11 @@ bool tells_why(const ProgramReport& report) {
            report.refusal->program == report.status.program;
 }
 
+/// Where the recorder has lost its beginning it has no number.
+bool is_recorded(const ProgramStatus& program) {
+    return program.program != 0 || program.line != 0;
+}
+
 }  // namespace
 
 std::string program_place_text(const ProgramReport& report) {
@@ -131,6 +136,32 @@ std::string program_text(const ProgramReport& report, const CoreStatus& machine,
     if (report.status.starvations > 0)
         text += "; it had to wait for more " + count_text(report.status.starvations, "time");
     return text + "\n";
+}
+
+std::string recorded_program_text(const ProgramStatus& program, bool may_run) {
+    if (!is_recorded(program)) return {};
+    const std::string place =
+        program.line == 0 ? "before its first line" : "line " + std::to_string(program.line);
+    std::string text = "program    ";
+    if (program.is_running != 0 && may_run) {
+        const std::string reason{name_of(program.hold)};
+        text += place + (reason.empty() ? reason : ": held, " + reason);
+    } else if (program.is_done != 0) {
+        text += "the last one was done, up to " + place;
+    } else {
+        text += "the last one ended " + (program.line == 0 ? place : broken_off_text(program));
+    }
+    return text + "\n";
+}
+
+Json recorded_program_json(const ProgramStatus& program) {
+    if (!is_recorded(program)) return Json(nullptr);
+    return Json{{"number", program.program == 0 ? Json(nullptr) : Json(program.program)},
+                {"line", program.line},
+                {"sequence", program.sequence},
+                {"is_running", program.is_running != 0},
+                {"hold", program.hold == ProgramHold::none ? Json(nullptr) : Json(name_of(program.hold))},
+                {"is_done", program.is_done != 0}};
 }
 
 Json last_program_json(const ProgramStatus& program) {

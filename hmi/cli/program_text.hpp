@@ -21,6 +21,10 @@ std::string broken_off_text(const ProgramStatus& program);
 /// Lines for a person, for status: of the one that runs, or where the last one was broken off; else empty.
 /// `profile`: null where the machine's is not known: how far it is to go is not told then.
 std::string program_text(const ProgramReport& report, const CoreStatus& machine, const Profile* profile);
+/// Of the last program of a flight recorder, for `snapshot info`: "line 8: held, tool change", or how it
+/// ended. `may_run`: false where the machine's state says that none runs. Empty: there was none.
+std::string recorded_program_text(const ProgramStatus& program, bool may_run);
+nlohmann::ordered_json recorded_program_json(const ProgramStatus& program);
 /// What `status --json` says (docs/commands.md); null while none runs.
 nlohmann::ordered_json program_json(const ProgramReport& report, const CoreStatus& machine,
                                     const Profile* profile);

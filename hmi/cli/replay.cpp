@@ -10,6 +10,7 @@
 #include "hmi/machine/private_segment.hpp"
 #include "hmi/machine/unique_fd.hpp"
 #include "hmi/trace/carried_job.hpp"
+#include "shared/machine/unreplayed_program.hpp"
 #include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
@@ -37,6 +38,8 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     const bool is_trace = verify::is_binary_trace(options.path);
     auto snapshot = load_job_file(options.path, "name a job or snapshot file instead");
     if (!snapshot) return snapshot.error();
+    const std::string program = unreplayed_program_text(snapshot->records);
+    if (snapshot->job_blob.empty() && !program.empty()) return bad_input(options.path + ": " + program);
     Result<machine::UniqueFd> file = machine::UniqueFd{};
     if (is_trace) file = machine::open_memory_file("job", snapshot_bytes(*snapshot));
     if (!file) return file.error();

@@ -13,11 +13,13 @@
 #include "hmi/cli/job_facts.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/model_report.hpp"
+#include "hmi/cli/program_text.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/report/job_passes.hpp"
 #include "hmi/report/record_text.hpp"
 #include "hmi/report/status_json.hpp"
 #include "shared/job/job.hpp"
+#include "shared/machine/recorded_program.hpp"
 #include "shared/record/snapshot_file.hpp"
 
 namespace psicarve::cli {
@@ -108,6 +110,7 @@ Json info_json(const Snapshot& snapshot, const std::optional<InfoJob>& job, std:
             {"job", job ? job_json(*job) : Json(nullptr)},
             {"status", snapshot.status ? report::status_json(*snapshot.status) : Json(nullptr)},
             {"checkpoint", checkpoint_json(snapshot.checkpoint, is_of_job(snapshot))},
+            {"program", recorded_program_json(recorded_program(snapshot.records))},
             {"record_count", snapshot.records.size()},
             {"records", records}};
 }
@@ -149,6 +152,8 @@ void print_info(const Snapshot& snapshot, const std::optional<InfoJob>& job, std
                     status_text(*snapshot.status, is_jobs_machine ? &*job->profile : nullptr).c_str());
     }
     std::printf("%s", checkpoint_text(snapshot.checkpoint, is_of_job(snapshot)).c_str());
+    const bool may_run = !snapshot.status || runs_job(snapshot.status->state);
+    std::printf("%s", recorded_program_text(recorded_program(snapshot.records), may_run).c_str());
     if (snapshot.records.empty() || first_record == snapshot.records.size()) return;
     std::printf("\nflight recorder, the last %zu of %zu entries\n", snapshot.records.size() - first_record,
                 snapshot.records.size());

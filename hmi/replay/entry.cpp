@@ -8,7 +8,9 @@
 
 #include "hmi/phrase/axis_letter.hpp"
 #include "hmi/profile/pin_rows.hpp"
+#include "hmi/session/program_phrase.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::replay {
 namespace {
@@ -49,6 +51,54 @@ void tell_command(const FlightRecord& record, Entry& entry) {
     } else {
         entry.what = phrase("Command: %1", command_name(record));
     }
+}
+
+Phrase held_phrase(const std::string& line, ProgramHold hold) {
+    Phrase held = phrase("Program held in line %1", line);
+    Phrase why = session::hold_phrase(hold);
+    return why.is_empty() ? held : session::joined(std::move(held), std::move(why));
+}
+
+Phrase ended_phrase(const std::string& line, ProgramEnding ending) {
+    if (ending == ProgramEnding::done) return phrase("Program done, up to line %1", line);
+    return ending == ProgramEnding::alarm ? phrase("Program ended by an alarm in line %1", line)
+                                          : phrase("Program stopped in line %1", line);
+}
+
+/// Each block of a program in single block would be a mark: those are entries alone, as its lines are.
+void tell_program(const FlightRecord& record, Entry& entry) {
+    const std::string line = std::to_string(record.value);
+    const std::uint8_t detail = program_detail_of(record);
+    const auto hold = static_cast<ProgramHold>(detail);
+    const auto ending = static_cast<ProgramEnding>(detail);
+    entry.is_major = true;
+    switch (program_event_of(record)) {
+        case ProgramEvent::begun:
+            entry.what = phrase("Program begun");
+            return;
+        case ProgramEvent::held:
+            entry.what = held_phrase(line, hold);
+            entry.is_major = hold != ProgramHold::single;
+            if (is_for_good(hold)) entry.severity = Severity::warning;
+            return;
+        case ProgramEvent::ended:
+            entry.what = ended_phrase(line, ending);
+            if (ending == ProgramEnding::alarm) entry.severity = Severity::warning;
+            return;
+        case ProgramEvent::resumed:
+            entry.what = phrase("Program goes on in line %1", line);
+            break;
+        case ProgramEvent::stopping:
+            entry.what = phrase("Program slows down to a stop in line %1", line);
+            break;
+        case ProgramEvent::line:
+            entry.what = phrase("Program, line %1", line);
+            break;
+        default:
+            entry.what = phrase("Entry of kind %1", std::to_string(static_cast<unsigned>(record.kind)));
+            break;
+    }
+    entry.is_major = false;
 }
 
 void tell_input(const FlightRecord& record, Entry& entry) {
@@ -115,6 +165,9 @@ Entry entry_of(const FlightRecord& record, std::int64_t time_ns) {
             break;
         case RecordKind::jog_end:
             entry.what = phrase("Jog ends");
+            break;
+        case RecordKind::program:
+            tell_program(record, entry);
             break;
         default:
             entry.what = phrase("Entry of kind %1", std::to_string(static_cast<unsigned>(record.kind)));

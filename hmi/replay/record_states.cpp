@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_program.hpp"
 #include "shared/machine/recorded_start.hpp"
 
 namespace psicarve::replay {
@@ -24,9 +25,12 @@ bool is_done(const FlightRecord& record) noexcept {
 }  // namespace
 
 RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
-    At now{0, MachineState::off, AlarmCause::none, kNoAxis, 0, 0, 0, 0};
+    At now{0, MachineState::off, AlarmCause::none, kNoAxis, 0, 0, 0, 0, false};
+    ProgramStatus program{};
     for (const FlightRecord& record : records) {
         now.tick = record.tick;
+        take_record(program, record);
+        now.is_program = program.is_running != 0;
         if (record.kind == RecordKind::state_change && record.code < kMachineStateCount) {
             now.state = static_cast<MachineState>(record.code);
             if (now.state != MachineState::alarm && now.state != MachineState::backing_off)
@@ -43,19 +47,29 @@ RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
         } else if (record.kind == RecordKind::command && is_done(record) &&
                    record.code == static_cast<std::uint16_t>(CommandKind::start)) {
             now.is_dry = (static_cast<std::uint64_t>(record.value) & kRecordedDryRun) != 0 ? 1 : 0;
-        } else {
+        } else if (record.kind != RecordKind::program) {
             continue;
         }
         states_.push_back(now);
     }
 }
 
-void RecordStates::fill(CoreStatus& status, std::uint64_t tick) const noexcept {
+const RecordStates::At* RecordStates::at(std::uint64_t tick) const noexcept {
     const auto later =
         std::upper_bound(states_.begin(), states_.end(), tick,
                          [](std::uint64_t wanted, const At& state) { return wanted < state.tick; });
-    if (later == states_.begin()) return;
-    const At& state = *(later - 1);
+    return later == states_.begin() ? nullptr : &*(later - 1);
+}
+
+bool RecordStates::runs_program(std::uint64_t tick) const noexcept {
+    const At* const found = at(tick);
+    return found != nullptr && found->is_program;
+}
+
+void RecordStates::fill(CoreStatus& status, std::uint64_t tick) const noexcept {
+    const At* const found = at(tick);
+    if (found == nullptr) return;
+    const At& state = *found;
     status.state = state.state;
     status.alarm_cause = state.cause;
     status.alarm_axis = state.axis;

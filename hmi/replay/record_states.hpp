@@ -17,6 +17,8 @@ public:
     bool is_empty() const noexcept { return states_.empty(); }
     /// Fills in state, alarm, homing, override, job and dry run of that tick, where entries give them.
     void fill(CoreStatus& status, std::uint64_t tick) const noexcept;
+    /// What is carved in that tick, or on hold, is a program in G-code.
+    bool runs_program(std::uint64_t tick) const noexcept;
 
 private:
     struct At {
@@ -28,7 +30,9 @@ private:
         std::uint64_t generation;
         std::uint64_t alarms;
         std::uint8_t is_dry;
+        bool is_program;
     };
+    const At* at(std::uint64_t tick) const noexcept;
     std::vector<At> states_;
 };
 

@@ -117,7 +117,8 @@ Result<Shown> SnapshotRecording::at(std::int64_t time_ns, bool with_looks) {
         fill_from_entry(time_ns, shown);
         verify::Positions positions{};
         std::copy_n(std::begin(shown.status.position_pulses), kAxisCount, positions.begin());
-        if (geometry_ && is_at_job(shown.status.state)) shown.place = job_place(*geometry_, positions);
+        const bool is_job = is_at_job(shown.status.state) && !states_.runs_program(shown.status.tick);
+        if (geometry_ && is_job) shown.place = job_place(*geometry_, positions);
         if (shown.place) shown.carving_time = shown.place->layer;
     }
     // A dry run carves nothing, however far it has come.

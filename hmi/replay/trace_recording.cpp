@@ -202,7 +202,8 @@ Result<Shown> TraceRecording::at(std::int64_t time_ns, bool with_looks) {
     std::copy(moment->pulses.begin(), moment->pulses.end(), status.emitted_pulses);
     guess_state(status);
     states_.fill(status, status.tick);
-    if (geometry_ && is_at_job(status.state)) shown.place = job_place(*geometry_, moment->position_pulses);
+    const bool is_job = is_at_job(status.state) && !states_.runs_program(status.tick);
+    if (geometry_ && is_job) shown.place = job_place(*geometry_, moment->position_pulses);
     if (with_looks) {
         auto looks = looks_.until(time_ns);
         if (!looks) return looks.error();

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hmi/report/program_record_text.hpp"
 #include "hmi/report/status_json.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/machine/machine_state.hpp"
@@ -46,6 +47,8 @@ std::string kind_text(RecordKind kind) {
             return "order";
         case RecordKind::jog_end:
             return "jog end";
+        case RecordKind::program:
+            return "program";
     }
     return std::to_string(static_cast<unsigned>(kind));
 }
@@ -81,6 +84,8 @@ std::string code_text(const FlightRecord& record) {
         case RecordKind::failure:
             return named_or_number(record.code, kAlarmCauseCount,
                                    [](std::uint16_t code) { return name_of(static_cast<AlarmCause>(code)); });
+        case RecordKind::program:
+            return program_event_text(record);
         default:
             return {};
     }
@@ -96,7 +101,9 @@ std::string answer_text(const FlightRecord& record) {
 
 std::string record_text(const FlightRecord& record) {
     std::string text = "tick " + std::to_string(record.tick) + "  " + kind_text(record.kind);
-    for (const std::string& word : {code_text(record), answer_text(record)}) {
+    const bool is_program = record.kind == RecordKind::program;
+    for (const std::string& word :
+         {is_program ? program_record_text(record) : code_text(record), answer_text(record)}) {
         if (!word.empty()) text += " " + word;
     }
     if (record.axis < kAxisCount) text += " " + std::string{name_of(static_cast<Axis>(record.axis))};
@@ -132,6 +139,7 @@ nlohmann::ordered_json record_json(const FlightRecord& record) {
             {"answer", answer.empty() ? Json(nullptr) : Json(answer)},
             {"signals", record.signals},
             {"value", record.value},
+            {"program", program_record_json(record)},
             {"position_pulses", positions}};
 }
 

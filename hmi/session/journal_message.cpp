@@ -11,6 +11,7 @@
 #include "hmi/phrase/axis_letter.hpp"
 #include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/alarm_text.hpp"
+#include "hmi/session/program_phrase.hpp"
 #include "shared/wording/message_record.hpp"
 
 namespace psicarve::session {
@@ -201,6 +202,18 @@ void tell_program_end(const JournalFacts& facts, Message& told) {
     if (how != "done") told.severity = Severity::warning;
 }
 
+/// A reason that nobody knows is left out.
+void tell_program_hold(const JournalFacts& facts, Message& told) {
+    told.what = phrase("Program held in line %1", number_of(facts, "line"));
+    const std::string how = facts.text("how");
+    for (std::uint8_t n = 1; n < kProgramHoldCount; ++n) {
+        const auto hold = static_cast<ProgramHold>(n);
+        if (name_of(hold) != how) continue;
+        told.what = joined(std::move(told.what), hold_phrase(hold));
+        if (is_for_good(hold)) told.severity = Severity::warning;
+    }
+}
+
 void tell_job(const JournalRecord& record, Message& told) {
     const JournalFacts& facts = record.facts;
     if (record.what == "loaded") {
@@ -218,6 +231,10 @@ void tell_job(const JournalRecord& record, Message& told) {
         tell_job_end(facts, told);
     } else if (record.what == "program started") {
         told.what = phrase("Program begun");
+    } else if (record.what == "program held") {
+        tell_program_hold(facts, told);
+    } else if (record.what == "program resumed") {
+        told.what = phrase("Program goes on in line %1", number_of(facts, "line"));
     } else if (record.what == "program ended") {
         tell_program_end(facts, told);
     } else {

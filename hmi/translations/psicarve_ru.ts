@@ -3261,12 +3261,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Программа закончилась в строке %1</translation>
         </message>
         <message>
+            <source>Program goes on in line %1</source>
+            <translation>Программа продолжена в строке %1</translation>
+        </message>
+        <message>
             <source>Program held in line %1</source>
             <translation>Пауза программы в строке %1</translation>
         </message>
         <message>
             <source>Program run</source>
             <translation>Программа выполнена</translation>
+        </message>
+        <message>
+            <source>Program slows down to a stop in line %1</source>
+            <translation>Программа замедляется до останова в строке %1</translation>
         </message>
         <message>
             <source>Program started: %1</source>

@@ -3260,12 +3260,20 @@ N、Shift+N  下一条、上一条记录
             <translation>程序在第 %1 行结束</translation>
         </message>
         <message>
+            <source>Program goes on in line %1</source>
+            <translation>程序在第 %1 行继续</translation>
+        </message>
+        <message>
             <source>Program held in line %1</source>
             <translation>程序在第 %1 行暂停</translation>
         </message>
         <message>
             <source>Program run</source>
             <translation>程序已运行</translation>
+        </message>
+        <message>
+            <source>Program slows down to a stop in line %1</source>
+            <translation>程序在第 %1 行减速停止</translation>
         </message>
         <message>
             <source>Program started: %1</source>

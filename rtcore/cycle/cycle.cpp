@@ -15,7 +15,7 @@ Cycle::Cycle(const CycleConfig& config, port::Port& port, CycleIo& io) noexcept
       outlet_(config_, port, io, pulses_, inputs_, clock_),
       reporter_(io, clock_, pulses_, inputs_),
       publisher_(io, config.sample_ticks),
-      program_(config.interpolation_ns()) {
+      program_(config.interpolation_ns(), config.period_ns) {
     publisher_.publish(sample());
 }
 
@@ -181,6 +181,7 @@ void Cycle::write_port() noexcept {
 
 void Cycle::publish() noexcept {
     if (!port_->is_healthy()) raise_alarm(AlarmCause::port_error, kNoAxis);
+    if (carves_program()) tell_program_line();
     publisher_.publish_positions(pulses_.positions(), clock_.tick());
     publisher_.publish(sample());
 }

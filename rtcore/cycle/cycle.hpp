@@ -161,6 +161,10 @@ private:
     bool holds_starved_program() noexcept;
     void program_of_records_done() noexcept;
     void note_program_line() noexcept;
+    void tell_program(ProgramEvent event, std::uint8_t detail = 0) noexcept;
+    void tell_program_line() noexcept;
+    void tell_program_of(MachineState left, MachineState entered) noexcept;
+    ProgramEnding ending_in(MachineState entered) const noexcept;
     ProgramStatus program_status() const noexcept;
     // cycle_trial.cpp: the outputs by hand
     Refusal try_pin(const Request& request) noexcept;

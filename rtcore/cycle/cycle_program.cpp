@@ -8,6 +8,7 @@ Refusal Cycle::start_program(const Request& request) noexcept {
     if (!next_state(state_, MachineEvent::run_program).has_value()) return Refusal::not_in_this_state;
     if (!homed_.has_all()) return Refusal::not_homed;
     program_.begin(request.value, request.axis != 0);
+    tell_program(ProgramEvent::begun, program_.status().is_single);
     pulses_.clear_emitted();
     apply(MachineEvent::run_program);
     request_plan(PlanKind::program);
@@ -40,6 +41,7 @@ void Cycle::go_on_when_fed() noexcept {
 bool Cycle::holds_starved_program() noexcept {
     if (state_ != MachineState::held || !program_.is_starved()) return false;
     program_.wait_for(ProgramHold::none);
+    tell_program(ProgramEvent::held);
     publisher_.ask(clock_.tick());
     return true;
 }
@@ -55,6 +57,39 @@ void Cycle::program_of_records_done() noexcept {
 
 void Cycle::note_program_line() noexcept {
     if (program_.is_on()) program_.note_line(motion_.program_line(), motion_.program_sequence());
+}
+
+void Cycle::tell_program(ProgramEvent event, std::uint8_t detail) noexcept {
+    const ProgramStatus program = program_status();
+    reporter_.report_program(event, detail, program);
+    program_.note_told(program.sequence, clock_.tick());
+}
+
+void Cycle::tell_program_line() noexcept {
+    if (program_.is_to_be_told(program_status().sequence, clock_.tick())) tell_program(ProgramEvent::line);
+}
+
+void Cycle::tell_program_of(MachineState left, MachineState entered) noexcept {
+    switch (entered) {
+        case MachineState::held:
+            return tell_program(ProgramEvent::held, static_cast<std::uint8_t>(program_.hold()));
+        case MachineState::carving:
+            if (left != MachineState::ready) tell_program(ProgramEvent::resumed);
+            return;
+        case MachineState::stopping:
+            return tell_program(ProgramEvent::stopping);
+        case MachineState::ready:
+        case MachineState::off:
+        case MachineState::alarm:
+            return tell_program(ProgramEvent::ended, static_cast<std::uint8_t>(ending_in(entered)));
+        default:
+            return;
+    }
+}
+
+ProgramEnding Cycle::ending_in(MachineState entered) const noexcept {
+    if (entered == MachineState::alarm) return ProgramEnding::alarm;
+    return program_.status().is_done != 0 ? ProgramEnding::done : ProgramEnding::stopped;
 }
 
 ProgramStatus Cycle::program_status() const noexcept {

@@ -14,7 +14,9 @@ bool Cycle::apply(MachineEvent event) noexcept {
 
 void Cycle::enter(MachineState state) noexcept {
     if (state_ == MachineState::testing) pulses_.force(0);
+    const MachineState left = state_;
     state_ = state;
+    if (program_.is_on()) tell_program_of(left, state);
     if (state == MachineState::ready || state == MachineState::off || state == MachineState::alarm)
         program_.end();
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();

@@ -15,7 +15,12 @@ public:
     /// nothing that an operator would call a stop.
     static constexpr std::int64_t kPatience_ns = 200'000'000;
 
-    explicit ProgramRun(std::int64_t step_ns) noexcept : patience_steps_(kPatience_ns / step_ns) {}
+    /// Its line is told no more often than this.
+    static constexpr std::int64_t kTelling_ns = 1'000'000'000;
+
+    ProgramRun(std::int64_t step_ns, std::int64_t tick_ns) noexcept
+        : patience_steps_(kPatience_ns / step_ns),
+          telling_ticks_(static_cast<std::uint64_t>(kTelling_ns / tick_ns)) {}
 
     void begin(std::uint64_t program, bool is_single) noexcept {
         status_ = ProgramStatus{};
@@ -65,11 +70,24 @@ public:
         return true;
     }
 
+    /// The flight recorder has been told of it, and with that of its motion record.
+    void note_told(std::uint64_t sequence, std::uint64_t tick) noexcept {
+        told_sequence_ = sequence;
+        telling_tick_ = tick + telling_ticks_;
+    }
+    /// Whether its line is to be told again. A loop comes to the same line with other motion records.
+    bool is_to_be_told(std::uint64_t sequence, std::uint64_t tick) const noexcept {
+        return tick >= telling_tick_ && sequence != told_sequence_;
+    }
+
     const ProgramStatus& status() const noexcept { return status_; }
 
 private:
     ProgramStatus status_{};
     std::int64_t patience_steps_;
+    std::uint64_t telling_ticks_;
+    std::uint64_t telling_tick_ = 0;  ///< not before this one
+    std::uint64_t told_sequence_ = 0;
     std::int64_t empty_steps_ = 0;
     bool has_begun_ = false;  ///< a block of it came
 };

@@ -78,6 +78,16 @@ void Reporter::report_gap(std::uint64_t ticks, std::uint32_t longest_harmless_ti
     push_event(record);
 }
 
+void Reporter::report_program(ProgramEvent event, std::uint8_t detail,
+                              const ProgramStatus& program) noexcept {
+    if (event == ProgramEvent::line && io_->reports.size() >= ReportRing::capacity() / 2) return;
+    const std::uint64_t value = event == ProgramEvent::begun ? program.program : program.line;
+    FlightRecord record = record_of(RecordKind::program, recorded_code(event, detail), kNoAxis,
+                                    static_cast<std::int64_t>(value));
+    record.answer = recorded_sequence(program.sequence);
+    push_event(record);
+}
+
 void Reporter::answer(const Request& request, Verdict verdict) noexcept {
     Report entry{};
     const bool is_done = verdict.refusal == Refusal::none;

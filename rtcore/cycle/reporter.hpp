@@ -9,6 +9,8 @@
 #include "rtcore/cycle/pulse_stage.hpp"
 #include "rtcore/cycle/tick_clock.hpp"
 #include "rtcore/cycle/verdict.hpp"
+#include "shared/machine/program_status.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::cycle {
 
@@ -31,6 +33,9 @@ public:
     /// Missed ticks, of which so many would do no harm. Half of the ring is kept for other reports: a
     /// harmless gap that finds it full is lost.
     void report_gap(std::uint64_t ticks, std::uint32_t longest_harmless_ticks) noexcept;
+    /// What happened to the program, and where it is in it; detail as at ProgramEvent. Its line alone, which
+    /// comes again, leaves half of the ring to other reports.
+    void report_program(ProgramEvent event, std::uint8_t detail, const ProgramStatus& program) noexcept;
     /// Exactly one for each request.
     void answer(const Request& request, Verdict verdict) noexcept;
 

@@ -10,6 +10,7 @@
 
 #include "rtcore/journal/journal_facts.hpp"
 #include "shared/machine/machine_state.hpp"
+#include "shared/machine/recorded_program.hpp"
 #include "shared/segment/segment_program.hpp"
 
 namespace psicarve::supervisor {
@@ -50,8 +51,8 @@ std::string_view ending_of_program(MachineState last, MachineState entered, Prog
     return broken == ProgramHold::refused ? "refused" : "feeder lost";
 }
 
-void add_line(JournalFacts& facts, const cycle::Sample& sample) {
-    facts.add("line", static_cast<std::int64_t>(sample.program.line));
+void add_line(JournalFacts& facts, const ProgramStatus& program) {
+    facts.add("line", static_cast<std::int64_t>(program.line));
 }
 
 }  // namespace
@@ -104,11 +105,14 @@ void Journal::note_report(const cycle::Report& report, const cycle::Sample& samp
     switch (record.kind) {
         case RecordKind::alarm: {
             JournalFacts facts = facts_of_alarm(report);
-            if (runs_job(state_)) is_program_ ? add_line(facts, sample) : add_progress(facts, sample);
+            if (runs_job(state_)) is_program_ ? add_line(facts, sample.program) : add_progress(facts, sample);
             put(JournalKind::alarm, std::string{name_of(static_cast<AlarmCause>(record.code))}, record.tick,
                 std::move(facts));
             break;
         }
+        case RecordKind::program:
+            note_program_record(record);
+            break;
         case RecordKind::state_change:
             note_state(static_cast<MachineState>(record.code), sample, job);
             break;
@@ -129,7 +133,7 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
     JournalFacts facts;
     // A job begins with its approach.
     if (runs_job(entered)) is_program_ = entered == MachineState::carving;
-    if (is_program_) return note_program_state(before, entered, sample);
+    if (is_program_) return note_program_state(before, entered, sample.tick);
     if (job != nullptr && job->generation == sample.job_generation)
         facts.add("source", job->view.source_name());
     if (runs_job(entered)) {
@@ -142,14 +146,39 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
     put(JournalKind::job, "ended", sample.tick, std::move(facts));
 }
 
-void Journal::note_program_state(MachineState before, MachineState entered, const cycle::Sample& sample) {
+// Each block one at a time, and each wait of a program that comes too slowly, would push out what is older.
+void Journal::note_program_record(const FlightRecord& record) {
+    const ProgramStatus before = program_;
+    take_record(program_, record);
     JournalFacts facts;
-    if (runs_job(entered)) return put(JournalKind::job, "program started", sample.tick, std::move(facts));
+    if (is_of_program(record, ProgramEvent::held)) {
+        const bool is_one_of_many = program_.hold == ProgramHold::single ||
+                                    (program_.hold == ProgramHold::starved && before.starvations > 0);
+        if (is_one_of_many) return;
+        is_hold_told_ = true;
+        if (program_.hold != ProgramHold::none) facts.add("how", name_of(program_.hold));
+        add_line(facts, program_);
+        put(JournalKind::job, "program held", record.tick, std::move(facts));
+    } else if (is_of_program(record, ProgramEvent::resumed) && std::exchange(is_hold_told_, false)) {
+        add_line(facts, program_);
+        put(JournalKind::job, "program resumed", record.tick, std::move(facts));
+    }
+}
+
+void Journal::note_program_state(MachineState before, MachineState entered, std::uint64_t tick) {
+    JournalFacts facts;
+    if (runs_job(entered)) {
+        is_hold_told_ = false;
+        facts.add("number", static_cast<std::int64_t>(program_.program));
+        if (program_.is_single != 0) facts.add("single", std::int64_t{1});
+        return put(JournalKind::job, "program started", tick, std::move(facts));
+    }
     const ProgramHold broken = std::exchange(broken_, ProgramHold::none);
     facts.add("how", ending_of_program(before, entered, broken));
-    add_line(facts, sample);
+    add_line(facts, program_);
+    if (program_.starvations > 0) facts.add("waits", static_cast<std::int64_t>(program_.starvations));
     if (is_for_good(broken)) add_reason(facts, why_broken_);
-    put(JournalKind::job, "program ended", sample.tick, std::move(facts));
+    put(JournalKind::job, "program ended", tick, std::move(facts));
 }
 
 void Journal::note_answer(const ReceivedCommand& received, AnswerKind kind, const Message& why,

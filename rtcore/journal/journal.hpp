@@ -52,7 +52,8 @@ public:
 private:
     using Time = std::chrono::steady_clock::time_point;
     void note_state(MachineState entered, const cycle::Sample& sample, const LoadedJob* job);
-    void note_program_state(MachineState before, MachineState entered, const cycle::Sample& sample);
+    void note_program_record(const FlightRecord& record);
+    void note_program_state(MachineState before, MachineState entered, std::uint64_t tick);
     void put(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts);
     void put_always(JournalKind kind, std::string what, std::uint64_t tick, JournalFacts facts);
     void tell_left_out(JournalKind kind, std::uint64_t count, std::uint64_t tick);
@@ -64,6 +65,8 @@ private:
     std::array<JournalAllowance, kJournalKindCount> allowances_;
     MachineState state_ = MachineState::off;
     bool is_program_ = false;                 ///< what runs, or ran last, was no job
+    ProgramStatus program_{};                 ///< the last one, as the reports so far have it
+    bool is_hold_told_ = false;               ///< of it, and so is that it goes on
     ProgramHold broken_ = ProgramHold::none;  ///< for good, of the program that runs
     Message why_broken_{};
     std::uint64_t missed_told_ = 0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "shared/machine/recorded_program.hpp"
 #include "shared/segment/layout.hpp"
 #include "shared/segment/shared_record.hpp"
 
@@ -15,32 +16,46 @@ namespace psicarve::supervisor {
 /// their average is no alarm when a replay has them all there, and one that was an alarm stands by itself.
 /// Whatever is told, this bounds the counters in a row: each begins where longer gaps are harmless. Whoever
 /// reads a counter while it grows has its ticks and gaps of two moments at worst.
+///
+/// The line in which a program is replaces the one that was told just before. A replay needs none: gaps are
+/// counted on past it. So between two other entries are no more lines than counters, and one.
 class FlightLog {
 public:
     void append(FlightRecorder& recorder, const FlightRecord& record) noexcept {
-        if (!counts_in_last(record)) {
-            last_ = record;
+        if (is_of_program(record, ProgramEvent::line)) return append_line(recorder, record);
+        if (!counts_in_gap(record)) {
+            gap_ = record;
+            is_line_newest_ = false;
             return append_to_ring(recorder, record);
         }
-        last_.value += record.value;
-        last_.code = static_cast<std::uint16_t>(std::min(kMostGaps, unsigned{last_.code} + record.code));
-        replace_newest_in_ring(recorder, last_);
+        gap_.value += record.value;
+        gap_.code = static_cast<std::uint16_t>(std::min(kMostGaps, unsigned{gap_.code} + record.code));
+        replace_in_ring(recorder, is_line_newest_ ? 1 : 0, gap_);
     }
     /// Another recorder from now on.
-    void begin_anew() noexcept { last_ = FlightRecord{}; }
+    void begin_anew() noexcept {
+        gap_ = FlightRecord{};
+        is_line_newest_ = false;
+    }
 
 private:
     static constexpr unsigned kMostGaps = std::numeric_limits<std::uint16_t>::max();
 
+    void append_line(FlightRecorder& recorder, const FlightRecord& record) noexcept {
+        if (is_line_newest_) return replace_in_ring(recorder, 0, record);
+        is_line_newest_ = true;
+        append_to_ring(recorder, record);
+    }
     // Of more gaps than can be said the average is too long: at rest alone that is nothing.
-    bool counts_in_last(const FlightRecord& record) const noexcept {
-        if (last_.kind != RecordKind::gap || record.kind != RecordKind::gap) return false;
-        if (record.answer == kAlarmingGap || last_.answer == kAlarmingGap) return false;
-        if (last_.answer == kAnyGap) return true;
-        return record.value <= std::int64_t{last_.answer} && unsigned{last_.code} + record.code <= kMostGaps;
+    bool counts_in_gap(const FlightRecord& record) const noexcept {
+        if (gap_.kind != RecordKind::gap || record.kind != RecordKind::gap) return false;
+        if (record.answer == kAlarmingGap || gap_.answer == kAlarmingGap) return false;
+        if (gap_.answer == kAnyGap) return true;
+        return record.value <= std::int64_t{gap_.answer} && unsigned{gap_.code} + record.code <= kMostGaps;
     }
 
-    FlightRecord last_{};
+    FlightRecord gap_{};  ///< the newest entry, or the one before a line; of another kind: no gap is open
+    bool is_line_newest_ = false;
 };
 
 }  // namespace psicarve::supervisor

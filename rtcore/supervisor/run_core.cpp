@@ -29,6 +29,7 @@
 #include "rtcore/supervisor/run_loops.hpp"
 #include "rtcore/supervisor/supervisor.hpp"
 #include "shared/base/printable.hpp"
+#include "shared/machine/unreplayed_program.hpp"
 #include "shared/record/snapshot_file.hpp"
 #include "shared/segment/segment_object.hpp"
 
@@ -58,10 +59,17 @@ struct Replay {
     std::uint64_t end_tick = 0;
 };
 
-Error nothing_recorded(const std::string& path) {
+Error nothing_recorded(const std::string& path, const Snapshot& snapshot) {
+    const std::string program = unreplayed_program_text(snapshot.records);
+    if (!program.empty()) return bad_input(path + ": " + program);
     return bad_input(path +
                      ": nothing to replay: its flight recorder holds no moment at which the machine was "
                      "homed and at rest, with something done after it; 'psicarve carve' carves its job");
+}
+
+Error holds_no_job(const std::string& path, const Snapshot& snapshot) {
+    const std::string program = unreplayed_program_text(snapshot.records);
+    return bad_input(path + ": " + (program.empty() ? std::string{"holds no job to replay"} : program));
 }
 
 /// A job file is run whole; of a machine's snapshot what was recorded, and nothing else.
@@ -69,11 +77,11 @@ Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
     if (options.replay_path.empty()) return std::optional<Replay>{};
     auto snapshot = load_snapshot(options.replay_path);
     if (!snapshot) return snapshot.error();
-    if (snapshot->job_blob.empty()) return bad_input(options.replay_path + ": holds no job to replay");
+    if (snapshot->job_blob.empty()) return holds_no_job(options.replay_path, *snapshot);
     Replay replay;
     replay.script = script_from_records(snapshot->records);
     const bool is_of_a_machine = snapshot->status.has_value() || !snapshot->records.empty();
-    if (is_of_a_machine && !replay.script) return nothing_recorded(options.replay_path);
+    if (is_of_a_machine && !replay.script) return nothing_recorded(options.replay_path, *snapshot);
     if (replay.script) {
         replay.end_tick = replay.script->end_tick;
         if (snapshot->status && snapshot->status->tick > replay.script->first_tick) {

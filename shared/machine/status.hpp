@@ -124,6 +124,7 @@ enum class RecordKind : std::uint16_t {
     failure = 10,  ///< code: the AlarmCause that the core itself found
     order = 11,    ///< code: OrderPart of the command that follows in the same tick; axis, value
     jog_end = 12,  ///< a jog was let go, or its lease ran out: slowing down from here
+    program = 13,  ///< of a program of motion records (recorded_program.hpp)
 };
 
 /// What a jog or a move asks for besides its kind: a FlightRecord each.
@@ -147,7 +148,7 @@ struct FlightRecord {
     std::uint16_t code;    ///< CommandKind, MachineState entered, AlarmCause, by kind
     std::uint32_t axis;    ///< Axis or kNoAxis
     SignalWord signals;    ///< all levels after it happened
-    std::uint32_t answer;  ///< command: AnswerKind; gap: as said there
+    std::uint32_t answer;  ///< command: AnswerKind; gap, program: as said there
     std::int64_t
         value;  ///< command: its value; alarm: count seen; job: generation; latch: correction [pulses]
     std::int64_t position_pulses[kAxisCount];

@@ -80,10 +80,12 @@ void append_to_ring(SharedRing<T, kEntries>& ring, const T& value) noexcept {
     ring.published.store(position + 1, std::memory_order_release);
 }
 
-/// One writer only, which has appended before. Word by word: a reader may see some words of each.
+/// One writer only, which has appended it, and `newer` after it. Word by word: a reader may see some words of
+/// each.
 template <typename T, std::size_t kEntries>
-void replace_newest_in_ring(SharedRing<T, kEntries>& ring, const T& value) noexcept {
-    store_words<T>(ring.words[(ring.published.load(std::memory_order_relaxed) - 1) % kEntries], value);
+void replace_in_ring(SharedRing<T, kEntries>& ring, std::uint64_t newer, const T& value) noexcept {
+    const std::uint64_t position = ring.published.load(std::memory_order_relaxed) - 1 - newer;
+    store_words<T>(ring.words[position % kEntries], value);
 }
 
 /// One writer only: all entries so far belong to an earlier writer, and readers skip them.

@@ -118,6 +118,21 @@ TEST_F(LogCommand, TellsEverythingInLocalTimeTheNewestLast) {
 )");
 }
 
+TEST_F(LogCommand, TellsWhereAProgramWasHeldAndHowItEnded) {
+    add(JournalKind::job, "program started", JournalFacts{}.add("number", 7).add("single", 1));
+    add(JournalKind::job, "program held", JournalFacts{}.add("how", "tool change").add("line", 8));
+    add(JournalKind::job, "program resumed", JournalFacts{}.add("line", 8));
+    add(JournalKind::job, "program held", JournalFacts{}.add("line", 9));
+    add(JournalKind::job, "program ended",
+        JournalFacts{}.add("how", "stopped").add("line", 9).add("waits", 2));
+    const std::string out = log().out;
+    for (const char* const words :
+         {"program started, no. 7, single block\n", "program held: tool change at line 8\n",
+          "program resumed at line 8\n", "program held at line 9\n",
+          "program ended: stopped at line 9; it had to wait for more 2 times\n"})
+        EXPECT_NE(out.find(words), std::string::npos) << out;
+}
+
 TEST_F(LogCommand, ShowsOnlyWhatIsAskedFor) {
     add_all();
     const auto lines = [&](std::vector<std::string> more) {

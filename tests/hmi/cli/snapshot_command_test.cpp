@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/job/job.hpp"
+#include "shared/machine/recorded_program.hpp"
 #include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
 
@@ -167,6 +168,54 @@ TEST_F(SnapshotCommand, DiffComparesStatusAndRecorder) {
     EXPECT_NE(outcome.out.find("status state: \"ready\" | \"alarm\""), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("flight recorder entry 0: tick 12  command home"), std::string::npos)
         << outcome.out;
+}
+
+FlightRecord of_program(ProgramEvent event, std::int64_t value, std::uint32_t sequence = 0,
+                        std::uint8_t detail = 0) {
+    FlightRecord record{};
+    record.kind = RecordKind::program;
+    record.code = recorded_code(event, detail);
+    record.axis = kNoAxis;
+    record.value = value;
+    record.answer = sequence;
+    return record;
+}
+
+TEST_F(SnapshotCommand, InfoTellsWhereAProgramWas) {
+    Snapshot rest;
+    rest.status = CoreStatus{};
+    rest.status->state = MachineState::held;
+    rest.records = {of_program(ProgramEvent::begun, 7, 0, 1), of_program(ProgramEvent::line, 4, 9),
+                    of_program(ProgramEvent::held, 8, 34, 3)};
+    const std::string held = save("a.snap", small_table(), rest);
+    const Outcome plain = psicarve({"snapshot", "info", held});
+    EXPECT_NE(plain.out.find("program    line 8: held, tool change\n"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("tick 0  program begun no. 7, single block  r1 0"), std::string::npos);
+    EXPECT_NE(plain.out.find("tick 0  program line 4 (record 9)  r1 0"), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("program line 8 (record 34): held, tool change  r1"), std::string::npos);
+    const auto info = psicarve({"snapshot", "info", held, "--json"}).json();
+    EXPECT_EQ(info["program"], nlohmann::json::parse(R"({"number":7,"line":8,"sequence":34,"is_running":true,
+                                                         "hold":"tool change","is_done":false})"));
+    EXPECT_EQ(info["records"][0]["kind"], "program");
+    EXPECT_EQ(info["records"][0]["code"], "begun");
+    EXPECT_EQ(info["records"][0]["program"], nlohmann::json::parse(R"({"number":7,"single":true})"));
+    EXPECT_EQ(info["records"][1]["program"], nlohmann::json::parse(R"({"line":4,"sequence":9})"));
+    EXPECT_EQ(info["records"][2]["code"], "held");
+    EXPECT_EQ(info["records"][2]["program"]["hold"], "tool change");
+
+    rest.status->state = MachineState::alarm;
+    rest.records.push_back(of_program(ProgramEvent::ended, 8, 34, 2));
+    const std::string ended = save("b.snap", small_table(), rest);
+    const Outcome broken = psicarve({"snapshot", "info", ended});
+    EXPECT_NE(broken.out.find("program    the last one ended in line 8 of its program; gcode run FILE "
+                              "--from-line 8 begins where"),
+              std::string::npos)
+        << broken.out;
+    EXPECT_NE(broken.out.find("program line 8 (record 34): ended, alarm"), std::string::npos) << broken.out;
+    EXPECT_EQ(psicarve({"snapshot", "info", ended, "--json"}).json()["records"][3]["program"]["how"],
+              "alarm");
+    EXPECT_TRUE(
+        psicarve({"snapshot", "info", save("c.job", small_table()), "--json"}).json()["program"].is_null());
 }
 
 TEST_F(SnapshotCommand, InfoTellsJobStatusAndTheNewestRecords) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::replay {
 namespace {
@@ -41,6 +42,36 @@ TEST(ReplayEntry, SaysWhatTheFlightRecorderHolds) {
     EXPECT_EQ(entry_of(record, 7).time_ns, 7);
     record.kind = static_cast<RecordKind>(999);
     EXPECT_EQ(text_of(entry_of(record, 0)), "Entry of kind 999");
+}
+
+Entry program_entry(ProgramEvent event, std::uint8_t detail = 0) {
+    FlightRecord record{};
+    record.kind = RecordKind::program;
+    record.code = recorded_code(event, detail);
+    record.value = 12;
+    return entry_of(record, 0);
+}
+
+TEST(ReplayEntry, SaysWhereAProgramWasAndWhatHappenedToIt) {
+    const auto words = [](ProgramEvent event, std::uint8_t detail = 0) {
+        return text_of(program_entry(event, detail));
+    };
+    EXPECT_EQ(words(ProgramEvent::begun), "Program begun");
+    EXPECT_EQ(words(ProgramEvent::line), "Program, line 12");
+    EXPECT_EQ(words(ProgramEvent::held), "Program held in line 12");
+    EXPECT_EQ(words(ProgramEvent::held, 3), "Program held in line 12: tool change (M6)");
+    EXPECT_EQ(words(ProgramEvent::held, 99), "Program held in line 12");
+    EXPECT_EQ(words(ProgramEvent::resumed), "Program goes on in line 12");
+    EXPECT_EQ(words(ProgramEvent::stopping), "Program slows down to a stop in line 12");
+    EXPECT_EQ(words(ProgramEvent::ended, 0), "Program done, up to line 12");
+    EXPECT_EQ(words(ProgramEvent::ended, 1), "Program stopped in line 12");
+    EXPECT_EQ(words(ProgramEvent::ended, 2), "Program ended by an alarm in line 12");
+    EXPECT_EQ(words(static_cast<ProgramEvent>(77)), "Entry of kind 13");
+    EXPECT_EQ(program_entry(ProgramEvent::held, 6).severity, Severity::warning);
+    EXPECT_EQ(program_entry(ProgramEvent::ended, 2).severity, Severity::warning);
+    EXPECT_TRUE(program_entry(ProgramEvent::held, 3).is_major);
+    EXPECT_FALSE(program_entry(ProgramEvent::held, 4).is_major) << "every block";
+    EXPECT_FALSE(program_entry(ProgramEvent::line).is_major);
 }
 
 TEST(ReplayEntry, ReadsDrivesSpindleAndSwitchesOffThePins) {

@@ -103,6 +103,15 @@ TEST(JournalMessage, TellsHowAProgramEndedAndInWhichLine) {
         return program("program ended", JournalFacts{}.add("how", how).add("line", 12));
     };
     EXPECT_EQ(in_english(program("program started", {}).what), "Program begun");
+    const auto held = [&](const std::string& how) {
+        return program("program held", JournalFacts{}.add("how", how).add("line", 12));
+    };
+    EXPECT_EQ(in_english(held("tool change").what), "Program held in line 12: tool change (M6)");
+    EXPECT_EQ(in_english(held("").what), "Program held in line 12");
+    EXPECT_EQ(in_english(held("%1").what), "Program held in line 12");
+    EXPECT_EQ(held("program feeder lost").severity, Severity::warning);
+    EXPECT_EQ(in_english(program("program resumed", JournalFacts{}.add("line", 12)).what),
+              "Program goes on in line 12");
     EXPECT_EQ(in_english(ended("done").what), "Program done, up to line 12");
     EXPECT_EQ(ended("done").severity, Severity::info);
     EXPECT_EQ(in_english(ended("stopped").what), "Program stopped in line 12");

@@ -135,6 +135,36 @@ TEST(Reporter, KeepsHalfOfTheRingFreeOfHarmlessGaps) {
     EXPECT_EQ(rig.io->reports.size(), half + 1) << "one that does harm is told";
 }
 
+TEST(Reporter, TellsOfAProgramWithItsLineAndAsMuchOfItsSequenceAsFits) {
+    ReporterRig rig;
+    ProgramStatus program{};
+    program.program = 70'000'000'000;
+    program.line = 12;
+    program.sequence = 34;
+    rig.sut.report_program(ProgramEvent::begun, 1, program);
+    Report report = rig.next().value();
+    EXPECT_EQ(report.record.kind, RecordKind::program);
+    EXPECT_EQ(report.record.value, 70'000'000'000);
+    rig.sut.report_program(ProgramEvent::held, 3, program);
+    report = rig.next().value();
+    EXPECT_EQ(report.record.code, 0x302);
+    EXPECT_EQ(report.record.value, 12);
+    EXPECT_EQ(report.record.answer, 34U);
+    program.sequence = 1ULL << 32U;
+    rig.sut.report_program(ProgramEvent::line, 0, program);
+    EXPECT_EQ(rig.next().value().record.answer, 0xFFFF'FFFFU);
+}
+
+TEST(Reporter, KeepsHalfOfTheRingFreeOfLines) {
+    ReporterRig rig;
+    const std::size_t half = ReportRing::capacity() / 2;
+    for (std::size_t i = 0; i <= half; ++i) rig.sut.report_program(ProgramEvent::line, 0, {});
+    EXPECT_EQ(rig.io->reports.size(), half);
+    EXPECT_EQ(rig.sut.lost(), 0U) << "the next one tells more";
+    rig.sut.report_program(ProgramEvent::held, 0, {});
+    EXPECT_EQ(rig.io->reports.size(), half + 1);
+}
+
 TEST(Reporter, CountsWhatFindsTheRingFull) {
     ReporterRig rig;
     for (std::size_t i = 0; i < ReportRing::capacity(); ++i) rig.sut.report(RecordKind::stop, 0);

@@ -24,6 +24,10 @@ FlightRecord gap_at(std::uint64_t tick, std::int64_t missed, std::uint32_t longe
     return record;
 }
 
+FlightRecord line_at(std::uint64_t tick, std::int64_t line) {
+    return record_at(tick, RecordKind::program, line, recorded_code(ProgramEvent::line));
+}
+
 class FlightLogTest : public testing::Test {
 protected:
     std::vector<FlightRecord> kept() const {
@@ -109,6 +113,51 @@ TEST_F(FlightLogTest, NoAverageIsLongerThanItsGaps) {
     EXPECT_EQ(records[0].code, 0xFFFF);
     EXPECT_EQ(records[1].code, kGaps - 0xFFFF);
     for (const FlightRecord& record : records) EXPECT_EQ(record.value, 40 * std::int64_t{record.code});
+}
+
+// A program runs for weeks on a busy computer.
+TEST_F(FlightLogTest, NoLinesAndMissedTicksOfAProgramPushAnythingOut) {
+    sut_.append(*ring_, record_at(7, RecordKind::alarm));
+    const auto flights = static_cast<std::int64_t>(kFlightRecords);
+    for (std::int64_t i = 0; i < 4 * flights; ++i) {
+        const auto tick = static_cast<std::uint64_t>(10 + 3 * i);
+        sut_.append(*ring_, line_at(tick, i));
+        sut_.append(*ring_, gap_at(tick + 1, 3));
+        if (i % 2 == 0) sut_.append(*ring_, gap_at(tick + 2, 1));
+    }
+    const auto records = kept();
+    ASSERT_EQ(records.size(), 4U);
+    EXPECT_EQ(records[0].kind, RecordKind::alarm);
+    EXPECT_EQ(records[1].value, 0) << "the line before the first gap";
+    EXPECT_EQ(records[2].tick, 11U);
+    EXPECT_EQ(records[2].value, 14 * flights);
+    EXPECT_TRUE(is_of_program(records[3], ProgramEvent::line));
+    EXPECT_EQ(records[3].value, 4 * flights - 1) << "and the last";
+    EXPECT_EQ(records[3].tick, static_cast<std::uint64_t>(12 * flights + 7));
+}
+
+TEST_F(FlightLogTest, ALineReplacesNothingButTheLineBefore) {
+    sut_.append(*ring_, line_at(1, 5));
+    sut_.append(*ring_, line_at(2, 6));
+    sut_.append(*ring_, record_at(3, RecordKind::command));
+    sut_.append(*ring_, line_at(4, 7));
+    sut_.append(*ring_, record_at(5, RecordKind::program, 7, recorded_code(ProgramEvent::held, 1)));
+    sut_.append(*ring_, line_at(6, 8));
+    sut_.append(*ring_, gap_at(7, 60, kAlarmingGap));
+    sut_.append(*ring_, line_at(8, 9));
+    sut_.append(*ring_, gap_at(9, 2, 49));
+    std::vector<std::uint64_t> ticks;
+    for (const FlightRecord& record : kept()) ticks.push_back(record.tick);
+    EXPECT_EQ(ticks, (std::vector<std::uint64_t>{2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST_F(FlightLogTest, ANewSegmentBeginsWithNoLineOfTheOldOne) {
+    sut_.append(*ring_, gap_at(1, 3));
+    sut_.append(*ring_, line_at(2, 5));
+    auto fresh = std::make_unique<FlightRecorder>();
+    sut_.begin_anew();
+    sut_.append(*fresh, line_at(9, 6));
+    EXPECT_EQ(fresh->published.load(), 1U);
 }
 
 TEST_F(FlightLogTest, ANewSegmentBeginsWithNoCounterOfTheOldOne) {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared/machine/recorded_program.hpp"
+
+namespace psicarve {
+
+std::string_view name_of(ProgramEvent event) noexcept {
+    switch (event) {
+        case ProgramEvent::begun:
+            return "begun";
+        case ProgramEvent::line:
+            return "line";
+        case ProgramEvent::held:
+            return "held";
+        case ProgramEvent::resumed:
+            return "resumed";
+        case ProgramEvent::stopping:
+            return "stopping";
+        case ProgramEvent::ended:
+            return "ended";
+    }
+    return "unknown";
+}
+
+std::string_view name_of(ProgramEnding ending) noexcept {
+    switch (ending) {
+        case ProgramEnding::done:
+            return "done";
+        case ProgramEnding::stopped:
+            return "stopped";
+        case ProgramEnding::alarm:
+            return "alarm";
+    }
+    return "unknown";
+}
+
+void take_record(ProgramStatus& program, const FlightRecord& record) noexcept {
+    if (record.kind == RecordKind::alarm) {
+        program.is_running = 0;
+        program.hold = ProgramHold::none;
+    }
+    if (record.kind != RecordKind::program || (record.code & 0xFFU) >= kProgramEventCount) return;
+    const ProgramEvent event = program_event_of(record);
+    const std::uint8_t detail = program_detail_of(record);
+    if (event == ProgramEvent::begun) {
+        program = ProgramStatus{};
+        program.program = static_cast<std::uint64_t>(record.value);
+        program.is_running = 1;
+        program.is_single = detail != 0 ? 1 : 0;
+        return;
+    }
+    program.line = static_cast<std::uint64_t>(record.value);
+    program.sequence = record.answer;
+    program.hold = ProgramHold::none;
+    program.is_running = event == ProgramEvent::ended ? 0 : 1;
+    if (event == ProgramEvent::held && detail < kProgramHoldCount)
+        program.hold = static_cast<ProgramHold>(detail);
+    if (program.hold == ProgramHold::starved) ++program.starvations;
+    if (event == ProgramEvent::ended)
+        program.is_done = detail == static_cast<std::uint8_t>(ProgramEnding::done) ? 1 : 0;
+}
+
+ProgramStatus recorded_program(std::span<const FlightRecord> records) noexcept {
+    ProgramStatus program{};
+    for (const FlightRecord& record : records) take_record(program, record);
+    return program;
+}
+
+}  // namespace psicarve

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "shared/machine/program_status.hpp"
+#include "shared/machine/status.hpp"
+
+namespace psicarve {
+
+/// What the flight recorder tells of a program: low byte of the code of its records.
+enum class ProgramEvent : std::uint8_t {
+    begun = 0,     ///< value: the program's number; detail: 1 one block at a time
+    line = 1,      ///< it is in that line: at most once a second, while it moves
+    held = 2,      ///< it rests; detail: ProgramHold, none where a command holds it
+    resumed = 3,   ///< or it got the records that it waited for
+    stopping = 4,  ///< it slows down, and is not gone on with
+    ended = 5,     ///< detail: ProgramEnding
+};
+inline constexpr std::uint8_t kProgramEventCount = 6;
+
+enum class ProgramEnding : std::uint8_t { done = 0, stopped = 1, alarm = 2 };
+inline constexpr std::uint8_t kProgramEndingCount = 3;
+
+/// "begun", "line", "held"...
+std::string_view name_of(ProgramEvent event) noexcept;
+/// "done", "stopped", "alarm"
+std::string_view name_of(ProgramEnding ending) noexcept;
+
+// A record of kind program. All but the first: value is the line of the motion at hand, from 1, answer the
+// sequence of its motion record, each 0 where none is at hand yet; a larger sequence than fits is the largest
+// that does. RT: yes.
+
+constexpr std::uint16_t recorded_code(ProgramEvent event, std::uint8_t detail = 0) noexcept {
+    return static_cast<std::uint16_t>(static_cast<unsigned>(event) | unsigned{detail} << 8U);
+}
+constexpr std::uint32_t recorded_sequence(std::uint64_t sequence) noexcept {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(std::min(sequence, kMost));
+}
+/// A number from a file may be anything.
+constexpr ProgramEvent program_event_of(const FlightRecord& record) noexcept {
+    return static_cast<ProgramEvent>(record.code & 0xFFU);
+}
+constexpr std::uint8_t program_detail_of(const FlightRecord& record) noexcept {
+    return static_cast<std::uint8_t>(record.code >> 8U);
+}
+constexpr bool is_of_program(const FlightRecord& record, ProgramEvent event) noexcept {
+    return record.kind == RecordKind::program && program_event_of(record) == event;
+}
+
+/// Takes what a record tells into what is known of the last program before it. An alarm ends it. Where the
+/// recorder has lost its beginning the program has no number.
+void take_record(ProgramStatus& program, const FlightRecord& record) noexcept;
+/// The last program of a recorder, oldest record first, as the last record has it. program and line 0: there
+/// was none.
+ProgramStatus recorded_program(std::span<const FlightRecord> records) noexcept;
+
+}  // namespace psicarve

@@ -66,7 +66,8 @@ void Cycle::tell_program(ProgramEvent event, std::uint8_t detail) noexcept {
 }
 
 void Cycle::tell_program_line() noexcept {
-    if (program_.is_to_be_told(program_status().sequence, clock_.tick())) tell_program(ProgramEvent::line);
+    if (!program_.may_be_told(clock_.tick())) return;
+    if (!program_.is_told(program_status().sequence)) tell_program(ProgramEvent::line);
 }
 
 void Cycle::tell_program_of(MachineState left, MachineState entered) noexcept {

@@ -75,10 +75,10 @@ public:
         told_sequence_ = sequence;
         telling_tick_ = tick + telling_ticks_;
     }
-    /// Whether its line is to be told again. A loop comes to the same line with other motion records.
-    bool is_to_be_told(std::uint64_t sequence, std::uint64_t tick) const noexcept {
-        return tick >= telling_tick_ && sequence != told_sequence_;
-    }
+    /// Whether its line is to be told again, where that is no more often than it may be. A loop comes to the
+    /// same line with other motion records.
+    bool may_be_told(std::uint64_t tick) const noexcept { return tick >= telling_tick_; }
+    bool is_told(std::uint64_t sequence) const noexcept { return sequence == told_sequence_; }
 
     const ProgramStatus& status() const noexcept { return status_; }
 

@@ -142,7 +142,7 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_b
         // From rest it begins with the pulse that leaves it.
         if (is_from_rest && way->is_on) way->is_waiting = true;
         if ((comes || is_at_begin) && rests_here) way->hidden_begin = way->is_on ? near_share(*way, at) : 0.0;
-        is_before_at_end = note_end(*way, time_ns, at);
+        is_before_at_end = note_end(*way, time_ns, at, comes);
         rests_here = rests_here || way->is_at_end;
         is_at_rest_ = is_at_rest_ || (way->is_at_end && way->demand.asks_for_rest);
         is_on_any = is_on_any || way->is_on;
@@ -268,8 +268,8 @@ bool ProgramRule::has_come(const Live& way) const noexcept {
 }
 
 /// Whether the path is on the way, and now at its end.
-bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at) {
-    if (way.demand.is_exact) return note_rest(way, time_ns, at);
+bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at, bool comes) {
+    if (way.demand.is_exact) return note_rest(way, time_ns, at, comes);
     if (!way.is_on || !has_come(way)) return false;
     for (std::size_t head = 0; head < kHeadCount; ++head)
         if (way.demand.way.from_mm(way.demand.way.to(), head, at, way.demand.slack_pulses) >
@@ -291,8 +291,8 @@ bool ProgramRule::may_go_on(const Live& way) const noexcept {
     return true;
 }
 
-/// The same where it ends at rest.
-bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at) {
+/// The same where it ends at rest. `comes`: it may begin only now, where it is short.
+bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at, bool comes) {
     std::int64_t off = 0;
     int axes = 0;
     Axis axis = Axis::r1;
@@ -319,7 +319,7 @@ bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at
     }
     if (was_at_end && !way.is_at_end) {
         way.rested_ns = std::max(way.rested_ns, time_ns - way.ended_ns);
-        way.has_gone_on = may_go_on(way);
+        way.has_gone_on = may_go_on(way) || (comes && way.is_on);
         if (way.has_gone_on) {
             ++way.passes;
         } else {

@@ -148,8 +148,8 @@ private:
                     const std::array<double, kHeadCount>& shares) const noexcept;
     double apart_on_arc_mm(const Live& way, const Positions& at,
                            const std::array<Reach, kHeadCount>& reach) const noexcept;
-    bool note_end(Live& way, std::int64_t time_ns, const Positions& at);
-    bool note_rest(Live& way, std::int64_t time_ns, const Positions& at);
+    bool note_end(Live& way, std::int64_t time_ns, const Positions& at, bool comes);
+    bool note_rest(Live& way, std::int64_t time_ns, const Positions& at, bool comes);
     bool has_come(const Live& way) const noexcept;
     bool may_go_on(const Live& way) const noexcept;
     bool has_missed(const Live& way) const noexcept;

@@ -144,6 +144,16 @@ TEST(ProgramArcs, ThatNeedNoPulseMayTakeTheirTimeAtRest) {
     }
 }
 
+// A way back over the end of the one before passes its own end before it has begun.
+TEST(ProgramArcs, AndLinesMayPassTheirEndBeforeTheyRestThere) {
+    for (const auto& [seconds, expected] : {std::pair{0.6, "ok"}, {0.3, "dwell 4"}}) {
+        PlacedMachine machine = at_begin();
+        machine.to({40, 41, 0, 10.03}).to({40, 41, 0, 10.02}).rest(seconds).to({39, 41, 0, 10.02});
+        const std::string text = "G1 Y10.03\nG1 Y10.02\nG4 P.5\nG1 X39\nM2\n";
+        EXPECT_EQ(verdict(judged(begin_of("G64 P.05") + text, machine)), expected);
+    }
+}
+
 TEST(ProgramArcs, TellHowFarAPathGoesBack) {
     PlacedMachine on_arc = at_begin();
     on_arc.to(Circles{2.0}(0.0));

@@ -14,8 +14,14 @@ constexpr std::int64_t kNearPulses = 64;
 constexpr std::int64_t kSlackTicks = 2;
 /// Ways are judged by their time when they are so many tolerances long, or end at rest.
 constexpr double kTolerancesAStretch = 20.0;
+/// A way that is less of a pulse, but has one, takes no more than this makes of it.
+constexpr double kLeastPulses = 0.05;
 /// Less than that is a matter of whole pulses in whole ticks.
 constexpr double kHardlyLowered = 0.98;
+
+ShareRange whole_of(const Reach& reach) noexcept {
+    return reach.empty() ? ShareRange{0.0, 1.0} : ShareRange{reach.front().least, reach.back().most};
+}
 
 }  // namespace
 
@@ -31,9 +37,9 @@ void ProgramRule::report(std::int64_t time_ns, Offence offence, std::uint64_t li
 void ProgramRule::note_kind(const Live& way) {
     const std::int64_t left_ns = way.begun_ns.value_or(way_over_ns_);
     const std::int64_t begun_ns = is_way_from_rest_ ? std::max(way_over_ns_, left_ns) : way_over_ns_;
-    const std::int64_t taken_ns = std::max<std::int64_t>(way.ended_ns - begun_ns, 0);
-    (way.demand.seconds > 0.0 ? times_.feed_s : times_.rapid_s) += seconds_from_ns(taken_ns);
-    way_over_ns_ = std::max(way_over_ns_, way.ended_ns);
+    const std::int64_t taken_ns = std::max<std::int64_t>(way.done_ns - begun_ns, 0);
+    (way.demand.time.programmed_s > 0.0 ? times_.feed_s : times_.rapid_s) += seconds_from_ns(taken_ns);
+    way_over_ns_ = std::max(way_over_ns_, way.done_ns);
     is_way_from_rest_ = way.demand.is_exact;
 }
 
@@ -44,30 +50,57 @@ void ProgramRule::note_time(const Live& way) {
     if (!way.demand.goes_on) note_lowered();
     if (all.ways++ == 0) {
         all.goes_on = way.demand.goes_on;
-        all.begun_ns = way.begun_ns.value_or(way.ended_ns);
+        all.begun_ns = way.begun_ns.value_or(way.done_ns);
         all.first_line = way.demand.line;
+        all.rests_s = rest_before_s_;
     }
-    const double wanted_s = way.demand.seconds / program_.override_ratio;
+    const WayTime& time = way.demand.time;
+    const double wanted_s = time.programmed_s / program_.override_ratio;
     const double length_mm = way.demand.way.length_mm();
-    all.asked_s += way.demand.seconds;
+    all.programmed_s += time.before_s + time.programmed_s;
+    all.asked_s += time.programmed_s;
+    all.stepped_s += time.stepped_s;
+    all.passes += way.passes;
+    all.hidden_s += std::min(way.hidden_begin + way.hidden_end, 1.0) * wanted_s;
+    if (way.demand.is_exact) all.rests_s += free_rest_s(way);
     all.length_mm += length_mm;
     all.tolerance_mm = std::max(all.tolerance_mm, way.demand.tolerance_mm);
     if (length_mm > 0.0) all.slowest_s_per_mm = std::max(all.slowest_s_per_mm, wanted_s / length_mm);
-    all.pulse_s = std::max(all.pulse_s, wanted_s / way.demand.way.most_pulses());
-    if (!way.demand.is_exact && all.length_mm < kTolerancesAStretch * all.tolerance_mm) return;
+    all.pulse_s = std::max(all.pulse_s, wanted_s / std::max(way.demand.way.most_pulses(), kLeastPulses));
+    const bool rests = way.demand.is_exact && !way.has_gone_on;
+    if (!rests && all.length_mm < kTolerancesAStretch * all.tolerance_mm) return;
+    if (!rests && way.demand.is_exact) return;
     judge_time(way);
     all = {};
-    all.is_from_rest = way.demand.is_exact;
+    all.is_from_rest = rests;
+    const std::int64_t left_ns = way.ended_ns + way.rested_ns;
+    rest_before_s_ = rests ? seconds_from_ns(left_ns - std::clamp(spun_up_ns_, way.ended_ns, left_ns)) : 0.0;
+    if (!way.switched_ns) rest_before_s_ = rests ? free_rest_s(way) : 0.0;
+}
+
+/// How much of the rest at a way's end the program does not ask for: until the spindle is switched, or
+/// besides its dwells. Nobody knows how long other rests are.
+double ProgramRule::free_rest_s(const Live& way) const noexcept {
+    if (way.switched_ns) return seconds_from_ns(*way.switched_ns - way.ended_ns);
+    return std::max(seconds_from_ns(way.rested_ns) - way.dwells_s, 0.0);
 }
 
 /// Half a pulse is missing at each end, ticks are whole, and where the path does not rest, it passes an end
 /// somewhere within the tolerance.
-void ProgramRule::judge_time(const Live& way) {
+double ProgramRule::slack_seconds(const Live& way) const noexcept {
     const int passed_ends = (stretch_.is_from_rest ? 0 : 1) + (way.demand.is_exact ? 0 : 1);
-    const double wanted_s = stretch_.asked_s / program_.override_ratio;
-    const double slack_s = 2.0 * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
-                           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm;
-    const double taken_s = seconds_from_ns(way.ended_ns - stretch_.begun_ns);
+    return (2.0 + stretch_.passes) * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
+           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm +
+           std::min(stretch_.hidden_s, stretch_.rests_s);
+}
+
+/// Whole pulses make a staircase longer than the line through it, or leave ways out: neither the programmed
+/// time nor that along the pulses is asked for alone.
+void ProgramRule::judge_time(const Live& way) {
+    const double wanted_s = std::min(stretch_.programmed_s, stretch_.stepped_s) / program_.override_ratio;
+    const double slack_s = slack_seconds(way);
+    // A way without a pulse of its own is done before the next pulse begins it.
+    const double taken_s = seconds_from_ns(std::max<std::int64_t>(way.done_ns - stretch_.begun_ns, 0));
     if (wanted_s > 0.0) gather_lowered(way, taken_s - slack_s);
     if (taken_s >= wanted_s - slack_s || !log_.count(1, way.ended_ns)) return;
     Offence offence;
@@ -83,11 +116,12 @@ void ProgramRule::judge_time(const Live& way) {
 }
 
 void ProgramRule::gather_lowered(const Live& way, double taken_s) {
-    if (stretch_.asked_s >= kHardlyLowered * taken_s) return;
+    const double asked_s = std::max(stretch_.asked_s, stretch_.stepped_s);
+    if (asked_s >= kHardlyLowered * taken_s) return;
     if (!stretch_.goes_on || (gathered_ && gathered_->last_line != stretch_.first_line)) note_lowered();
     if (!gathered_) gathered_ = LoweredFeed{.first_line = stretch_.first_line};
     gathered_->last_line = way.demand.line;
-    gathered_->asked_s += stretch_.asked_s;
+    gathered_->asked_s += asked_s;
     gathered_->taken_s += taken_s;
 }
 
@@ -107,11 +141,11 @@ void ProgramRule::note_lowered() {
 }
 
 void ProgramRule::judge_rest(const Live& way, std::int64_t time_ns) {
-    const double rested_s = seconds_from_ns(time_ns - way.ended_ns + kSlackTicks * tick_ns_);
+    const double rested_s = seconds_from_ns(way.rested_ns + kSlackTicks * tick_ns_);
     if (rested_s >= way.demand.dwell_s || !log_.count(1, time_ns)) return;
     Offence offence;
     offence.fault = "dwell";
-    offence.measured = seconds_from_ns(time_ns - way.ended_ns);
+    offence.measured = seconds_from_ns(way.rested_ns);
     offence.allowed = way.demand.dwell_s;
     offence.bound = Bound::at_least;
     offence.unit = "s";
@@ -185,31 +219,70 @@ Offence ProgramRule::missed_end(const Live& way) const {
     return offence;
 }
 
-Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
-    Offence offence;
-    const WayTolerance tolerance = tolerance_of(way);
-    offence.unit = "mm";
-    offence.allowed = way.demand.tolerance_mm;
-    std::array<double, kHeadCount> shares{};
-    for (std::size_t head = 0; head < kHeadCount; ++head) {
-        const auto nearest = way.demand.way.nearest(head, at, tolerance, way.share[head]);
-        shares[head] = nearest.share;
-        if (nearest.mm <= offence.measured) continue;
-        offence.measured = nearest.mm;
-        offence.axis = kHeads[head];
-    }
-    offence.fault = offence.measured > tolerance.mm ? "off-the-way" : "goes-back";
-    offence.sentence = offence.measured > tolerance.mm
-                           ? shown_name(offence.axis.value_or(Axis::r1)) +
-                                 " is off the way, 1.5 pulses of each axis left out"
-                           : std::string{"the path goes back along the way"};
-    const double apart_mm = this->apart_mm(way, at, shares);
-    if (offence.measured > tolerance.mm || apart_mm <= 0.0) return offence;
+Offence ProgramRule::goes_back(Offence offence, double back_mm, double allowed_mm) const {
+    offence.fault = "goes-back";
+    offence.measured = back_mm;
+    offence.allowed = allowed_mm;
+    offence.sentence = "the path goes back along the way";
+    return offence;
+}
+
+Offence ProgramRule::heads_apart(Offence offence, double apart_mm) const {
     offence.fault = "heads-apart";
     offence.measured = offence.allowed + apart_mm;
     offence.axis.reset();
     offence.sentence = "the heads are not at one place of the way";
     return offence;
+}
+
+Offence ProgramRule::off_the_way(const Live& way, const Positions& at) const {
+    Offence offence;
+    const WayTolerance tolerance = tolerance_of(way);
+    offence.fault = "off-the-way";
+    offence.unit = "mm";
+    offence.allowed = way.demand.tolerance_mm;
+    const bool is_arc = way.demand.way.is_arc();
+    std::array<double, kHeadCount> shares{};
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        const auto nearest =
+            is_arc ? way.demand.way.nearest_within(head, at, tolerance, whole_of(way.reach[head]))
+                   : way.demand.way.nearest(head, at, tolerance);
+        shares[head] = nearest.share;
+        if (nearest.mm <= offence.measured) continue;
+        offence.measured = nearest.mm;
+        offence.axis = kHeads[head];
+    }
+    offence.sentence =
+        shown_name(offence.axis.value_or(Axis::r1)) + " is off the way, 1.5 pulses of each axis left out";
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        if (const auto back = back_of(way, head, at, shares[head])) {
+            offence.axis = kHeads[head];
+            return goes_back(std::move(offence), back->mm, back->allowed_mm);
+        }
+    }
+    if (offence.measured > tolerance.mm) return offence;
+    const double apart_mm = is_arc ? apart_on_arc_mm(way, at, way.reach) : this->apart_mm(way, at, shares);
+    return heads_apart(std::move(offence), std::max(apart_mm, 0.0));
+}
+
+/// How far back along its way a head has come, if it has. On an arc all that is behind the places where it
+/// may have been is too far.
+std::optional<ProgramRule::Back> ProgramRule::back_of(const Live& way, std::size_t head, const Positions& at,
+                                                      double share) const noexcept {
+    const ProgrammedWay& along = way.demand.way;
+    const WayTolerance tolerance = tolerance_of(way);
+    double allowed = along.back_share(head, tolerance);
+    double behind = way.share[head] - share;
+    if (along.is_arc()) {
+        const double least = way.reach[head].front().least;
+        const auto last = along.last_near(head, at, tolerance, {0.0, least});
+        if (!last || along.nearest_within(head, at, tolerance, whole_of(way.reach[head])).mm <= tolerance.mm)
+            return std::nullopt;
+        behind = least - *last;
+        allowed = 0.0;
+    }
+    if (behind <= allowed) return std::nullopt;
+    return Back{behind * along.length_mm(), allowed * along.length_mm()};
 }
 
 void ProgramRule::finish(std::int64_t time_ns) {
@@ -226,6 +299,8 @@ void ProgramRule::judge_end(std::int64_t time_ns) {
     const bool is_done = phase_ == Phase::running && window_.back().is_at_end && window_.back().is_on &&
                          live(window_.size()) == nullptr;
     if (is_done) {
+        for (Live& way : window_)
+            if (way.is_at_end) way.rested_ns = std::max(way.rested_ns, time_ns - way.ended_ns);
         for (const Live& way : window_) note_time(way);
         ways_done_ += window_.size();
         last_ns_ = window_.back().ended_ns;

@@ -2,6 +2,7 @@
 #include "hmi/verify/program/program_rule.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
@@ -42,6 +43,9 @@ void ProgramRule::start(const Positions& positions) {
     times_ = {};
     way_over_ns_ = 0;
     is_way_from_rest_ = true;
+    seen_ns_ = rested_ns_ = spun_up_ns_ = 0;
+    is_at_rest_ = was_spindle_on_ = false;
+    rest_before_s_ = INFINITY;
     bounds_ = {positions, positions};
     most_off_mm_ = 0.0;
 }
@@ -71,15 +75,19 @@ WayTolerance ProgramRule::tolerance_of(const Live& way) const noexcept {
 void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
     if (phase_ == Phase::over) return;
     if (phase_ == Phase::waiting) {
+        was_spindle_on_ = spindle_on;
         if (positions == start_) return;
         ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
         phase_ = Phase::running;
-        left_ns_ = last_ns_ = time_ns;
+        left_ns_ = last_ns_ = seen_ns_ = time_ns;
         if (Live* first = live(0)) {
+            begin_way(*first, time_ns);
             first->is_on = true;
-            first->is_waiting = true;
+            follow(time_ns, start_, true);
+            if (phase_ == Phase::running && !window_.empty()) window_.front().is_waiting = true;
         }
     }
+    note_rested(time_ns, spindle_on);
     if (phase_ == Phase::lost) find_again(time_ns, positions);
     if (phase_ != Phase::running) return;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -90,40 +98,122 @@ void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool 
     if (phase_ == Phase::running) judge_spindle(time_ns, spindle_on);
 }
 
-void ProgramRule::follow(std::int64_t time_ns, const Positions& at) {
+/// Rests that the program asks for are no time of the ways beside them: a spindle's spin-up would hide the
+/// fastest of arcs.
+void ProgramRule::note_rested(std::int64_t time_ns, bool spindle_on) noexcept {
+    if (is_at_rest_) rested_ns_ += time_ns - seen_ns_;
+    seen_ns_ = time_ns;
+    is_at_rest_ = false;
+    if (spindle_on == was_spindle_on_) return;
+    was_spindle_on_ = spindle_on;
+    if (spindle_on) spun_up_ns_ = time_ns + std::llround(profile_.job.spindle_spinup_s * 1e9);
+    for (Live& way : window_)
+        if (way.is_at_end && !way.switched_ns) way.switched_ns = time_ns;
+}
+
+/// At the end of the way before. It may have begun earlier, too.
+void ProgramRule::begin_way(Live& way, std::int64_t time_ns) {
+    if (!way.begun_ns) way.begun_ns = work_ns(time_ns);
+    if (!way.demand.way.is_arc() || !way.is_on) way.share = {};
+    if (!way.demand.way.is_arc()) return;
+    for (Reach& reach : way.reach) {
+        if (!way.is_on) reach.clear();
+        if (reach.empty() || reach.front().least > 0.0) reach.insert(reach.begin(), {0.0, 0.0});
+    }
+}
+
+void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_begin) {
     std::size_t last = 0;  // that the path may have been on
     for (std::size_t n = 0; n < window_.size(); ++n) {
         if (window_[n].is_on) last = n;
-        if (std::exchange(window_[n].is_waiting, false)) window_[n].begun_ns = time_ns;
+        if (std::exchange(window_[n].is_waiting, false)) window_[n].begun_ns = work_ns(time_ns);
     }
     const bool was_at_end = !window_.empty() && window_[last].is_at_end;
     bool is_before_at_end = false;
     bool is_on_any = false;
+    bool rests_here = is_at_begin;
     for (std::size_t n = 0; n <= last || is_before_at_end; ++n) {
         Live* const way = n < kMostWays ? live(n) : nullptr;
         if (way == nullptr) break;
         const bool comes = is_before_at_end;
-        if (comes && !way->is_on) {
-            if (!way->begun_ns) way->begun_ns = time_ns;
-            way->share = {};
-        }
+        const bool is_from_rest = comes && window_[n - 1].demand.is_exact;
+        if (comes) begin_way(*way, time_ns);
         way->is_on = (way->is_on || comes) && stays_on(*way, at);
         // From rest it begins with the pulse that leaves it.
-        if (comes && way->is_on) way->is_waiting = window_[n - 1].demand.is_exact;
-        is_before_at_end = note_end(*way, time_ns, at);
+        if (is_from_rest && way->is_on) way->is_waiting = true;
+        if ((comes || is_at_begin) && rests_here) way->hidden_begin = way->is_on ? near_share(*way, at) : 0.0;
+        is_before_at_end = note_end(*way, time_ns, at, comes);
+        rests_here = rests_here || way->is_at_end;
+        is_at_rest_ = is_at_rest_ || (way->is_at_end && way->demand.asks_for_rest);
         is_on_any = is_on_any || way->is_on;
     }
+    if (double tt = static_cast<double>(time_ns) * 1e-9;
+        getenv("DBG") && tt > atof(getenv("DBG")) && tt < atof(getenv("DBG")) + 0.1) {
+        fprintf(stderr, "%.5f (%ld %ld %ld %ld) rests %d:", tt, at[0], at[1], at[2], at[3], is_at_rest_);
+        for (auto& w : window_) {
+            fprintf(stderr, " L%lu%s%s%s", w.demand.line, w.is_on ? "+" : "-", w.is_at_end ? "E" : "",
+                    w.has_gone_on ? "g" : "");
+            for (int h = 0; h < 2; ++h)
+                for (auto& r : w.reach[h]) fprintf(stderr, "[%.3f,%.3f]", r.least, r.most);
+            fprintf(stderr, "h%.2f,%.2f end %ld %ld", w.hidden_begin, w.hidden_end,
+                    w.demand.way.end_pulses()[0], w.demand.way.end_pulses()[3]);
+        }
+        fprintf(stderr, "\n");
+    }
     if (!is_on_any) return breach(last, was_at_end, time_ns, at);
+    note_hidden(at);
     leave_behind();
     if (window_.front().is_at_end || !window_.front().demand.is_exact) last_ns_ = time_ns;
 }
 
+/// Which part of a way, from its begin, the path may go along without leaving the place. A line is gone
+/// along to its end, or by its pulses.
+double ProgramRule::near_share(const Live& way, const Positions& at) const noexcept {
+    if (way.demand.way.is_arc()) return std::min(way.share[0], way.share[1]);
+    return is_all_near(way, at) ? 1.0 : 0.0;
+}
+
+bool ProgramRule::is_all_near(const Live& way, const Positions& at) const noexcept {
+    if (way.demand.is_exact) return false;
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        const ProgrammedWay& along = way.demand.way;
+        if (along.from_mm(along.from(), head, at, way.demand.slack_pulses) > tolerance_of(way).mm)
+            return false;
+        if (along.from_mm(along.to(), head, at, way.demand.slack_pulses) > tolerance_of(way).mm) return false;
+    }
+    return true;
+}
+
+/// The same, up to their ends, of ways that lead to where the path rests now, if it does.
+void ProgramRule::note_hidden(const Positions& at) noexcept {
+    std::size_t leading = 0;
+    double dwells_s = 0.0;
+    for (std::size_t n = 0; n < window_.size(); ++n) {
+        if (!window_[n].is_at_end) continue;
+        leading = n + 1;
+        if (window_[n].passes == 0) dwells_s += window_[n].demand.dwell_s;
+    }
+    for (std::size_t n = 0; n < leading; ++n) {
+        Live& way = window_[n];
+        if (!way.is_on) continue;
+        if (way.is_at_end) way.dwells_s = dwells_s + (way.passes > 0 ? way.demand.dwell_s : 0.0);
+        double share = is_all_near(way, at) ? 1.0 : 0.0;
+        if (way.demand.way.is_arc())
+            share = 1.0 - std::max(way.reach[0].front().least, way.reach[1].front().least);
+        way.hidden_end = std::max(way.hidden_end, share);
+    }
+}
+
 bool ProgramRule::stays_on(Live& way, const Positions& at) {
+    return way.demand.way.is_arc() ? stays_on_arc(way, at) : stays_on_line(way, at);
+}
+
+bool ProgramRule::stays_on_line(Live& way, const Positions& at) {
     const WayTolerance tolerance = tolerance_of(way);
     double off_mm = 0.0;
     std::array<double, kHeadCount> shares{};
     for (std::size_t head = 0; head < kHeadCount; ++head) {
-        const auto nearest = way.demand.way.nearest(head, at, tolerance, way.share[head]);
+        const auto nearest = way.demand.way.nearest(head, at, tolerance);
         if (nearest.mm > tolerance.mm) return false;
         shares[head] = nearest.share;
         if (nearest.share < way.share[head] - way.demand.way.back_share(head, tolerance)) return false;
@@ -131,6 +221,22 @@ bool ProgramRule::stays_on(Live& way, const Positions& at) {
         off_mm = std::max(off_mm, nearest.mm);
     }
     if (apart_mm(way, at, shares) > 0.0) return false;
+    most_off_mm_ = std::max(most_off_mm_, off_mm);
+    return true;
+}
+
+bool ProgramRule::stays_on_arc(Live& way, const Positions& at) {
+    const WayTolerance tolerance = tolerance_of(way);
+    std::array<Reach, kHeadCount> reach = way.reach;
+    double off_mm = 0.0;
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        if (!way.demand.way.go_on(head, at, tolerance, reach[head])) return false;
+        const ShareRange range{reach[head].front().least, reach[head].back().most};
+        off_mm = std::max(off_mm, way.demand.way.nearest_within(head, at, tolerance, range).mm);
+    }
+    if (apart_on_arc_mm(way, at, reach) > 0.0) return false;
+    way.reach = std::move(reach);
+    for (std::size_t head = 0; head < kHeadCount; ++head) way.share[head] = way.reach[head].back().most;
     most_off_mm_ = std::max(most_off_mm_, off_mm);
     return true;
 }
@@ -143,27 +249,50 @@ double ProgramRule::apart_mm(const Live& way, const Positions& at,
     return way.demand.way.from_one_place_mm(at, tolerance, shares) - tolerance.mm;
 }
 
+double ProgramRule::apart_on_arc_mm(const Live& way, const Positions& at,
+                                    const std::array<Reach, kHeadCount>& reach) const noexcept {
+    const WayTolerance tolerance{2.0 * tolerance_of(way).mm, way.demand.slack_pulses + 1.0};
+    const ShareRange range{std::min(reach[0].front().least, reach[1].front().least),
+                           std::max(reach[0].back().most, reach[1].back().most)};
+    return way.demand.way.from_one_place_within_mm(at, tolerance, range) - tolerance.mm;
+}
+
 /// Whether all of a way was gone along: a circle's end is where it begins.
 bool ProgramRule::has_come(const Live& way) const noexcept {
     const WayTolerance tolerance = tolerance_of(way);
-    for (std::size_t head = 0; head < kHeadCount; ++head)
-        if (way.share[head] < 1.0 - way.demand.way.back_share(head, tolerance)) return false;
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        const double back = way.demand.way.is_arc() ? 0.0 : way.demand.way.back_share(head, tolerance);
+        if (way.share[head] < 1.0 - back) return false;
+    }
     return true;
 }
 
 /// Whether the path is on the way, and now at its end.
-bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at) {
-    if (way.demand.is_exact) return note_rest(way, time_ns, at);
+bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at, bool comes) {
+    if (way.demand.is_exact) return note_rest(way, time_ns, at, comes);
     if (!way.is_on || !has_come(way)) return false;
     for (std::size_t head = 0; head < kHeadCount; ++head)
-        if (way.demand.way.from_end_mm(head, at, way.demand.slack_pulses) > tolerance_of(way).mm)
+        if (way.demand.way.from_mm(way.demand.way.to(), head, at, way.demand.slack_pulses) >
+            tolerance_of(way).mm)
             return false;
     way.ended_ns = time_ns;
+    way.done_ns = work_ns(time_ns);
     return true;
 }
 
-/// The same where it ends at rest.
-bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at) {
+/// Whether the path may leave the end to the pulse and still be on the way: on arcs so small that it may not
+/// have come far, or may have turns to go.
+bool ProgramRule::may_go_on(const Live& way) const noexcept {
+    if (!way.is_on || !way.demand.way.is_arc()) return false;
+    for (std::size_t head = 0; head < kHeadCount; ++head) {
+        const double left = 1.0 - way.reach[head].front().least;
+        if (left < 0.5 && left <= way.demand.way.back_share(head, tolerance_of(way))) return false;
+    }
+    return true;
+}
+
+/// The same where it ends at rest. `comes`: it may begin only now, where it is short.
+bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at, bool comes) {
     std::int64_t off = 0;
     int axes = 0;
     Axis axis = Axis::r1;
@@ -182,10 +311,21 @@ bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at
         way.nearest_axis = axis;
     }
     const bool was_at_end = std::exchange(way.is_at_end, is_there && off == 0);
-    if (way.is_at_end && !was_at_end) way.ended_ns = time_ns;
+    if (way.is_at_end && !was_at_end) {
+        way.ended_ns = time_ns;
+        way.done_ns = work_ns(time_ns);
+        way.has_gone_on = false;
+        way.switched_ns.reset();
+    }
     if (was_at_end && !way.is_at_end) {
-        judge_rest(way, time_ns);
-        way.is_on = false;
+        way.rested_ns = std::max(way.rested_ns, time_ns - way.ended_ns);
+        way.has_gone_on = may_go_on(way) || (comes && way.is_on);
+        if (way.has_gone_on) {
+            ++way.passes;
+        } else {
+            judge_rest(way, time_ns);
+            way.is_on = false;
+        }
     }
     return way.is_at_end;
 }
@@ -193,6 +333,7 @@ bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at
 /// Ways that the path can no longer be on are done.
 void ProgramRule::leave_behind() {
     while (!window_.front().is_on) {
+        if (window_.front().has_gone_on) judge_rest(window_.front(), window_.front().ended_ns);
         note_time(window_.front());
         ++ways_done_;
         window_.pop_front();
@@ -207,11 +348,12 @@ void ProgramRule::find_again(std::int64_t time_ns, const Positions& at) {
         Live* const way = live(n);
         if (way == nullptr) return;
         way->share = {};
+        way->reach.fill({{0.0, 1.0}});
         if (!stays_on(*way, at)) continue;
         way->is_on = true;
-        way->begun_ns = time_ns;
+        way->begun_ns = work_ns(time_ns);
         // Nobody knows when it began.
-        way->demand.seconds = 0.0;
+        way->demand.time = {};
         stretch_ = {};
         window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(n));
         phase_ = Phase::running;

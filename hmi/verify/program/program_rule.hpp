@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -89,11 +90,21 @@ private:
 
         WayDemand demand;
         bool is_on = false;
-        bool is_waiting = false;               ///< at rest at its begin: it begins with the next pulse
-        bool is_at_end = false;                ///< to the pulse, where it ends at rest
-        std::optional<std::int64_t> begun_ns;  ///< at the earliest
-        std::int64_t ended_ns = 0;             ///< when its end was last passed, or first reached at rest
-        std::array<double, kHeadCount> share{};
+        bool is_waiting = false;                  ///< at rest at its begin: it begins with the next pulse
+        bool is_at_end = false;                   ///< to the pulse, where it ends at rest
+        bool has_gone_on = false;                 ///< from there, and may have been on it still
+        int passes = 0;                           ///< how often it has
+        std::optional<std::int64_t> begun_ns;     ///< at the earliest, by work_ns()
+        std::int64_t ended_ns = 0;                ///< when its end was last passed, or last reached at rest
+        std::int64_t done_ns = 0;                 ///< the same by work_ns()
+        std::int64_t rested_ns = 0;               ///< there, at the longest
+        std::optional<std::int64_t> switched_ns;  ///< the spindle, first, there
+        double dwells_s = 0.0;                    ///< that the rest there is for
+        /// Shares of it that may have been gone along in rests, as no pulse is due for them.
+        double hidden_begin = 0.0;
+        double hidden_end = 0.0;
+        std::array<double, kHeadCount> share{};  ///< at the most
+        std::array<Reach, kHeadCount> reach{};   ///< on an arc
         /// To an end at rest, where the path came nearest to it.
         std::int64_t nearest_pulses = INT64_MAX;  ///< by the axis that was off most
         int nearest_axes = 0;                     ///< how many were off
@@ -105,7 +116,12 @@ private:
         std::uint64_t ways = 0;
         std::uint64_t first_line = 0;
         std::int64_t begun_ns = 0;
-        double asked_s = 0.0;
+        double programmed_s = 0.0;  ///< ways without a pulse among them
+        double asked_s = 0.0;       ///< without those
+        double stepped_s = 0.0;     ///< at their paces along whole pulses
+        int passes = 0;             ///< of ends at rest that may have been none
+        double hidden_s = 0.0;      ///< that may have been gone along in rests,
+        double rests_s = 0.0;       ///< which had so much room for it
         double length_mm = 0.0;
         double tolerance_mm = 0.0;
         double slowest_s_per_mm = 0.0;
@@ -116,18 +132,32 @@ private:
 
     void start(const Positions& positions);
     Live* live(std::size_t n);
-    void follow(std::int64_t time_ns, const Positions& at);
+    /// The time without the rests that the program asks for.
+    std::int64_t work_ns(std::int64_t time_ns) const noexcept { return time_ns - rested_ns_; }
+    void note_rested(std::int64_t time_ns, bool spindle_on) noexcept;
+    void note_hidden(const Positions& at) noexcept;
+    double near_share(const Live& way, const Positions& at) const noexcept;
+    bool is_all_near(const Live& way, const Positions& at) const noexcept;
+    double free_rest_s(const Live& way) const noexcept;
+    void begin_way(Live& way, std::int64_t time_ns);
+    void follow(std::int64_t time_ns, const Positions& at, bool is_at_begin = false);
     bool stays_on(Live& way, const Positions& at);
+    bool stays_on_line(Live& way, const Positions& at);
+    bool stays_on_arc(Live& way, const Positions& at);
     double apart_mm(const Live& way, const Positions& at,
                     const std::array<double, kHeadCount>& shares) const noexcept;
-    bool note_end(Live& way, std::int64_t time_ns, const Positions& at);
-    bool note_rest(Live& way, std::int64_t time_ns, const Positions& at);
+    double apart_on_arc_mm(const Live& way, const Positions& at,
+                           const std::array<Reach, kHeadCount>& reach) const noexcept;
+    bool note_end(Live& way, std::int64_t time_ns, const Positions& at, bool comes);
+    bool note_rest(Live& way, std::int64_t time_ns, const Positions& at, bool comes);
     bool has_come(const Live& way) const noexcept;
+    bool may_go_on(const Live& way) const noexcept;
     bool has_missed(const Live& way) const noexcept;
     void leave_behind();
     void note_time(const Live& way);
     void note_kind(const Live& way);
     void judge_time(const Live& last);
+    double slack_seconds(const Live& last) const noexcept;
     void gather_lowered(const Live& last, double taken_s);
     void note_lowered();
     void judge_end(std::int64_t time_ns);
@@ -136,6 +166,14 @@ private:
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
     Offence missed_end(const Live& way) const;
     Offence off_the_way(const Live& way, const Positions& at) const;
+    struct Back {
+        double mm;
+        double allowed_mm;
+    };
+    std::optional<Back> back_of(const Live& way, std::size_t head, const Positions& at,
+                                double share) const noexcept;
+    Offence goes_back(Offence offence, double back_mm, double allowed_mm) const;
+    Offence heads_apart(Offence offence, double apart_mm) const;
     void find_again(std::int64_t time_ns, const Positions& at);
     void report(std::int64_t time_ns, Offence offence, std::uint64_t line);
     WayTolerance tolerance_of(const Live& way) const noexcept;
@@ -155,6 +193,12 @@ private:
     Phase phase_ = Phase::waiting;
     std::int64_t left_ns_ = 0;
     std::int64_t last_ns_ = 0;
+    std::int64_t seen_ns_ = 0;    ///< the last instant
+    std::int64_t rested_ns_ = 0;  ///< at ends where the program asks for it, until then
+    bool is_at_rest_ = false;     ///< since then
+    bool was_spindle_on_ = false;
+    std::int64_t spun_up_ns_ = 0;      ///< when the spindle was last switched on and had come to its speed
+    double rest_before_s_ = INFINITY;  ///< the next stretch, and free for it
     std::uint64_t ways_done_ = 0;
     double most_off_mm_ = 0.0;
     std::optional<LoweredFeed> gathered_;  ///< of a drawn way, whose pieces are one

@@ -9,13 +9,9 @@
 namespace psicarve::verify {
 namespace {
 
-constexpr std::size_t kPsiAt = index_of(Axis::psi);
-constexpr std::size_t kYAt = index_of(Axis::y);
 /// Halvings until shares of a way no longer differ by anything.
 constexpr int kSteps = 48;
 constexpr double kGolden = 0.6180339887498949;
-/// A nearest place is looked for so much of an arc to both sides of where its angle says.
-constexpr double kAround_rad = 0.2;
 
 double hypot3(const std::array<double, 3>& v) noexcept {
     return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -27,15 +23,27 @@ WayScale::WayScale(const Profile& profile)
     : tip_mm{profile.r1.tip_mm(), profile.r2.tip_mm()},
       pulses_per_rev(static_cast<double>(profile.psi.pulses_per_rev)),
       rad_per_pulse(rad_from_pulses(1, profile.psi.pulses_per_rev)) {
-    for (const Axis axis : kAllAxes)
-        pulses_per_unit[index_of(axis)] = axis_motion(profile, axis).pulses_per_unit;
-    pulses_per_unit[kPsiAt] = pulses_per_rev / kDegPerRev;
+    for (const Axis axis : kAllAxes) {
+        const AxisMotion motion = axis_motion(profile, axis);
+        pulses_per_unit[index_of(axis)] = motion.pulses_per_unit;
+        speed_pps[index_of(axis)] = motion.speed_pps;
+    }
+    pulses_per_unit[kPsi] = pulses_per_rev / kDegPerRev;
 }
 
 double WayScale::pulses(Axis axis, double place) const noexcept {
     // In the order in which it is exact for whole pulses.
     if (axis == Axis::psi) return place * pulses_per_rev / kDegPerRev;
     return place * pulses_per_unit[index_of(axis)];
+}
+
+double WayScale::seconds_along(const Place& from, const Place& to) const noexcept {
+    double length2 = 0.0;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double seconds = (to[k] - from[k]) / speed_pps[k];
+        length2 += seconds * seconds;
+    }
+    return std::sqrt(length2);
 }
 
 ProgrammedWay::ProgrammedWay(const WayScale& scale, const Place& from, const Place& to,
@@ -47,15 +55,15 @@ ProgrammedWay::ProgrammedWay(const WayScale& scale, const Place& from, const Pla
     }
     const double arc_mm =
         arc ? std::abs(arc->sweep_rad) * std::max(arc->start_radius_mm, arc->end_radius_mm) : 0.0;
-    if (arc) most_pulses_ = std::max(most_pulses_, arc_mm * scale.pulses_per_unit[kYAt]);
+    if (arc) most_pulses_ = std::max(most_pulses_, arc_mm * scale.pulses_per_unit[kY]);
     for (std::size_t head = 0; head < kHeadCount; ++head) {
         const double pulse_mm = 1.0 / scale.pulses_per_unit[head];
         const double r_mm = std::max(from[head], to[head]) * pulse_mm + scale.tip_mm[head];
         Head& of = heads_[head];
         of.r_mm = std::max(r_mm, 0.0);
-        of.pulse_mm = {of.r_mm * scale.rad_per_pulse, pulse_mm, 1.0 / scale.pulses_per_unit[kYAt]};
-        const Space way{(to[kPsiAt] - from[kPsiAt]) * of.pulse_mm[0],
-                        (to[head] - from[head]) * of.pulse_mm[1], (to[kYAt] - from[kYAt]) * of.pulse_mm[2]};
+        of.pulse_mm = {of.r_mm * scale.rad_per_pulse, pulse_mm, 1.0 / scale.pulses_per_unit[kY]};
+        const Space way{(to[kPsi] - from[kPsi]) * of.pulse_mm[0], (to[head] - from[head]) * of.pulse_mm[1],
+                        (to[kY] - from[kY]) * of.pulse_mm[2]};
         of.length_mm = hypot3(way) + arc_mm;
     }
 }
@@ -66,7 +74,7 @@ Place ProgrammedWay::at(double share) const noexcept {
     if (!arc_) return place;
     const double angle_rad = arc_->start_rad + share * arc_->sweep_rad;
     const double radius_mm = arc_->start_radius_mm + share * (arc_->end_radius_mm - arc_->start_radius_mm);
-    place[kYAt] = (arc_->centre_y_mm + radius_mm * std::sin(angle_rad)) * scale_->pulses_per_unit[kYAt];
+    place[kY] = (arc_->centre_y_mm + radius_mm * std::sin(angle_rad)) * scale_->pulses_per_unit[kY];
     for (std::size_t head = 0; head < kHeadCount; ++head)
         if (arc_->moves_head[head])
             place[head] =
@@ -87,7 +95,7 @@ ProgrammedWay::Off ProgrammedWay::off(std::size_t head, const Positions& at, con
         const double r_mm = static_cast<double>(at[head]) * pulse_mm[1] + scale_->tip_mm[head];
         pulse_mm[0] = std::max(r_mm, 0.0) * scale_->rad_per_pulse;
     }
-    const std::array<std::size_t, 3> axes{kPsiAt, head, kYAt};
+    const std::array<std::size_t, 3> axes{kPsi, head, kY};
     Off off{};
     for (std::size_t k = 0; k < axes.size(); ++k) {
         off.mm[k] = (static_cast<double>(at[axes[k]]) - place[axes[k]]) * pulse_mm[k];
@@ -101,8 +109,9 @@ double ProgrammedWay::distance_mm(std::size_t head, const Positions& at, double 
     return off(head, at, this->at(share), pulses).distance_mm();
 }
 
-double ProgrammedWay::from_end_mm(std::size_t head, const Positions& at, double pulses) const noexcept {
-    return off(head, at, to_, pulses).distance_mm();
+double ProgrammedWay::from_mm(const Place& place, std::size_t head, const Positions& at,
+                              double pulses) const noexcept {
+    return off(head, at, place, pulses).distance_mm();
 }
 
 double ProgrammedWay::both_mm(const Positions& at, double share, double pulses) const noexcept {
@@ -131,14 +140,15 @@ double ProgrammedWay::from_one_place_mm(const Positions& at, const WayTolerance&
 double ProgrammedWay::back_share(std::size_t head, const WayTolerance& tolerance) const noexcept {
     const Head& of = heads_[head];
     if (of.length_mm <= 0.0) return 1.0;
-    const double pulse_mm = of.pulse_mm[0] + of.pulse_mm[1] + of.pulse_mm[2];
+    const bool turns = !arc_ || to_[kPsi] != from_[kPsi];
+    const double pulse_mm = (turns ? of.pulse_mm[0] : 0.0) + of.pulse_mm[1] + of.pulse_mm[2];
     return (tolerance.mm + (tolerance.pulses + 1.0) * pulse_mm) / of.length_mm;
 }
 
 double ProgrammedWay::share_of_line(std::size_t head, const Positions& at) const noexcept {
     const Head& of = heads_[head];
     if (of.length_mm <= 0.0) return 0.0;
-    const std::array<std::size_t, 3> axes{kPsiAt, head, kYAt};
+    const std::array<std::size_t, 3> axes{kPsi, head, kY};
     double along = 0.0;
     for (std::size_t k = 0; k < axes.size(); ++k)
         along += (static_cast<double>(at[axes[k]]) - from_[axes[k]]) * (to_[axes[k]] - from_[axes[k]]) *
@@ -146,27 +156,14 @@ double ProgrammedWay::share_of_line(std::size_t head, const Positions& at) const
     return std::clamp(along / (of.length_mm * of.length_mm), 0.0, 1.0);
 }
 
-/// By the angle at which the place stands around the centre; of several turns the one that is nearest to
-/// where it was before.
-double ProgrammedWay::share_of_arc(const Positions& at, double share_before) const noexcept {
-    const std::size_t head = arc_->moves_head[0] ? 0 : 1;
-    const double r_mm = static_cast<double>(at[head]) / scale_->pulses_per_unit[head] - arc_->centre_r_mm;
-    const double y_mm = static_cast<double>(at[kYAt]) / scale_->pulses_per_unit[kYAt] - arc_->centre_y_mm;
-    const double before_rad = arc_->start_rad + share_before * arc_->sweep_rad;
-    const double angle_rad = before_rad + std::remainder(std::atan2(y_mm, r_mm) - before_rad, 2.0 * kPi);
-    return std::clamp((angle_rad - arc_->start_rad) / arc_->sweep_rad, 0.0, 1.0);
-}
-
 ProgrammedWay::Nearest ProgrammedWay::nearest(std::size_t head, const Positions& at,
-                                              const WayTolerance& tolerance,
-                                              double share_before) const noexcept {
-    const double guess = arc_ ? share_of_arc(at, share_before) : share_of_line(head, at);
+                                              const WayTolerance& tolerance) const noexcept {
+    const double guess = share_of_line(head, at);
     Nearest found{guess, distance_mm(head, at, guess, tolerance.pulses)};
     if (found.mm <= tolerance.mm) return found;
     // Pulses that count for nothing make another place the nearest: of a line's the distance is convex.
-    const double around = arc_ ? kAround_rad / std::abs(arc_->sweep_rad) : 1.0;
-    double low = std::max(0.0, guess - around);
-    double high = std::min(1.0, guess + around);
+    double low = 0.0;
+    double high = 1.0;
     for (int step = 0; step < kSteps; ++step) {
         const double left = high - kGolden * (high - low);
         const double right = low + kGolden * (high - low);

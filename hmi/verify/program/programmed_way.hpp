@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "hmi/surface/job_geometry.hpp"
 #include "shared/profile/profile.hpp"
@@ -19,9 +20,12 @@ struct WayScale {
     explicit WayScale(const Profile& profile);
     /// Of a place in mm or degrees.
     double pulses(Axis axis, double place) const noexcept;
+    /// The length by which a feed is shared out: all axes' ways, each over its top speed [s].
+    double seconds_along(const Place& from, const Place& to) const noexcept;
 
     std::array<double, kAxisCount> pulses_per_unit;  ///< by mm, psi: by degree
-    std::array<double, kHeadCount> tip_mm;           ///< real radius = counted radius + this
+    std::array<double, kAxisCount> speed_pps;
+    std::array<double, kHeadCount> tip_mm;  ///< real radius = counted radius + this
     double pulses_per_rev;
     double rad_per_pulse;
 };
@@ -45,6 +49,14 @@ struct WayTolerance {
     double pulses = 0.0;
 };
 
+/// A part of a way, as shares of it.
+struct ShareRange {
+    double least;
+    double most;
+};
+/// Where on a way a path may have come to by now: ranges in their order, none of which touch.
+using Reach = std::vector<ShareRange>;
+
 /// One way of a program, as canonical motion has it. Each head has a space of its own: along the surface (r
 /// times psi), its radius, and height, in mm; r is the larger of the two ends' radii, on an arc the place's
 /// own.
@@ -57,7 +69,8 @@ public:
     const Place& to() const noexcept { return to_; }
     /// The pulses at which its end is reached.
     const Positions& end_pulses() const noexcept { return end_pulses_; }
-    /// The most pulses that an axis has on it, about.
+    bool is_arc() const noexcept { return arc_.has_value(); }
+    /// The most pulses that an axis has on it, about, and parts of one.
     double most_pulses() const noexcept { return most_pulses_; }
     /// Of the head that goes further.
     double length_mm() const noexcept { return std::max(heads_[0].length_mm, heads_[1].length_mm); }
@@ -66,16 +79,28 @@ public:
         double share;  ///< of the way, 0 to 1
         double mm;     ///< the distance, less what pulses are allowed
     };
-    /// The place of a head's way that is nearest to it; on an arc, near the share where it was before.
-    Nearest nearest(std::size_t head, const Positions& at, const WayTolerance& tolerance,
-                    double share_before) const noexcept;
-    /// How far the head is that is further off the place of the way which both heads are nearest to, less
+    /// The place of a head's line that is nearest to it.
+    Nearest nearest(std::size_t head, const Positions& at, const WayTolerance& tolerance) const noexcept;
+    /// How far the head is that is further off the place of a line which both heads are nearest to, less
     /// what pulses are allowed [mm]; no nearer place is looked for than within the tolerance. `shares`: of
     /// the places that are nearest to each alone.
     double from_one_place_mm(const Positions& at, const WayTolerance& tolerance,
                              const std::array<double, kHeadCount>& shares) const noexcept;
-    /// How far a head is from the way's end, less what pulses are allowed [mm].
-    double from_end_mm(std::size_t head, const Positions& at, double pulses) const noexcept;
+    /// The path has come to a place: from where it may have been on an arc it goes on over all that is within
+    /// the tolerance of the place, and leaves none out that is not. False: it may be on no part of the arc,
+    /// and `reach` stays.
+    bool go_on(std::size_t head, const Positions& at, const WayTolerance& tolerance, Reach& reach) const;
+    /// The place of an arc within a range that is nearest.
+    Nearest nearest_within(std::size_t head, const Positions& at, const WayTolerance& tolerance,
+                           const ShareRange& range) const noexcept;
+    /// The last place of an arc within a range that is within the tolerance, if any.
+    std::optional<double> last_near(std::size_t head, const Positions& at, const WayTolerance& tolerance,
+                                    const ShareRange& range) const noexcept;
+    /// The same as from_one_place_mm() on an arc, where both are within a range.
+    double from_one_place_within_mm(const Positions& at, const WayTolerance& tolerance,
+                                    const ShareRange& range) const noexcept;
+    /// How far a head is from a place of the way, less what pulses are allowed [mm].
+    double from_mm(const Place& place, std::size_t head, const Positions& at, double pulses) const noexcept;
     /// How far back along a head's way its nearest place may come while it goes on, as a share of it.
     double back_share(std::size_t head, const WayTolerance& tolerance) const noexcept;
 
@@ -91,6 +116,12 @@ private:
         Space mm;
         Space slack_mm;
         double distance_mm() const noexcept;
+        /// All that is off by no more than this besides is within the slack.
+        double room_mm() const noexcept;
+    };
+    struct Near {
+        bool is_near;
+        double next_share;  ///< up to there all is as this place is
     };
 
     Place at(double share) const noexcept;
@@ -99,12 +130,15 @@ private:
     double distance_mm(std::size_t head, const Positions& at, double share, double pulses) const noexcept;
     double share_of_line(std::size_t head, const Positions& at) const noexcept;
     double share_of_arc(const Positions& at, double share_before) const noexcept;
+    double arc_length_mm(std::size_t head, const Positions& at) const noexcept;
+    Near near_at(std::size_t head, const Positions& at, const WayTolerance& tolerance, double share,
+                 double length_mm) const noexcept;
 
     const WayScale* scale_;
     Place from_;
     Place to_;
     Positions end_pulses_;
-    double most_pulses_ = 1.0;
+    double most_pulses_ = 0.0;
     std::optional<WayArc> arc_;
     std::array<Head, kHeadCount> heads_;
 };

@@ -40,6 +40,12 @@ bool asks_for_rest(const CanonRecord& record) noexcept {
     }
 }
 
+Place rounded(const Place& place) noexcept {
+    Place whole;
+    for (std::size_t k = 0; k < kAxisCount; ++k) whole[k] = static_cast<double>(round_to_pulse(place[k]));
+    return whole;
+}
+
 gcode::InterpreterOptions language_from(const JudgedProgram& program, const gcode::AxisLetters& letters,
                                         const WayScale& scale, const Positions& start) {
     gcode::InterpreterOptions language = program.language;
@@ -91,6 +97,7 @@ void WayReader::pass_rest() {
 void WayReader::rest(const CanonRecord& record) {
     if (!held_) return;
     held_->is_exact = true;
+    held_->asks_for_rest = true;
     if (record.kind == CanonKind::dwell) held_->dwell_s += record.value;
 }
 
@@ -111,26 +118,23 @@ std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
         const double turned_deg = record.end[psi_letter] - record.start[psi_letter];
         psi_shift_deg_ += std::remainder(turned_deg, kDegPerRev) - turned_deg;
     }
-    Place to = at_;
-    for (const Axis axis : kAllAxes) {
-        const std::size_t letter = letters_.letter_of(axis);
-        if ((record.placed & gcode::mask_of(letter)) == 0) continue;
-        const double shift = axis == Axis::psi ? psi_shift_deg_ : 0.0;
-        to[index_of(axis)] = scale_.pulses(axis, record.end[letter] + shift);
-    }
+    const Place to = place_of(at_, record.placed, record.end);
     const Place from = std::exchange(at_, to);
+    const double seconds =
+        record.feed_per_min > 0.0 ? record.length / record.feed_per_min * kSecondsPerMinute : 0.0;
+    const double share = stepped_share(record, from, to);
+    if (share <= 0.0) {
+        without_pulse_s_ += seconds;
+        return std::nullopt;
+    }
     const auto arc = arc_of(record);
-    bool moves = arc.has_value();
-    for (std::size_t k = 0; k < kAxisCount; ++k)
-        moves = moves || round_to_pulse(from[k]) != round_to_pulse(to[k]);
-    if (!moves) return std::nullopt;
     WayDemand demand{.way = ProgrammedWay{scale_, from, to, arc}, .line = record.line};
+    demand.time = {seconds, share * seconds, std::exchange(without_pulse_s_, 0.0)};
     demand.is_exact = is_exact_ && !record.ends_within;
     const bool has_corners = arc || record.begins_within || record.ends_within;
     demand.tolerance_mm = is_exact_ && !has_corners ? 0.0 : tolerance_mm_;
     // Chords of what is drawn have used up their share of it.
     if (record.is_drawn) demand.tolerance_mm *= 1.0 - gcode::kChordShare;
-    if (record.feed_per_min > 0.0) demand.seconds = record.length / record.feed_per_min * kSecondsPerMinute;
     const bool is_stepped_arc = stepped_.arc(record).has_value();
     demand.is_stepped = is_stepped_arc || stepped_.line_axes(record, letters_.all()) != 0;
     if (demand.is_stepped) {
@@ -141,6 +145,40 @@ std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
     demand.needs_spindle = is_spindle_on_;
     demand.goes_on = record.begins_within;
     return demand;
+}
+
+Place WayReader::place_of(const Place& from, gcode::AxisMask placed,
+                          const gcode::Position& at) const noexcept {
+    Place place = from;
+    for (const Axis axis : kAllAxes) {
+        const std::size_t letter = letters_.letter_of(axis);
+        if ((placed & gcode::mask_of(letter)) == 0) continue;
+        const double shift = axis == Axis::psi ? psi_shift_deg_ : 0.0;
+        place[index_of(axis)] = scale_.pulses(axis, at[letter] + shift);
+    }
+    return place;
+}
+
+/// How long the way is in whole pulses, as a share of its length; 0: no axis has a pulse to go.
+double WayReader::stepped_share(const CanonRecord& record, const Place& from, const Place& to) const {
+    if (record.kind == CanonKind::arc) return stepped_.arc(record) ? 1.0 : share_on_chords(record, from);
+    const double stepped = scale_.seconds_along(rounded(from), rounded(to));
+    const double length = scale_.seconds_along(from, to);
+    return stepped > 0.0 && length > 0.0 ? stepped / length : 0.0;
+}
+
+/// An arc's time is shared out among chords evenly.
+double WayReader::share_on_chords(const CanonRecord& record, const Place& from) const {
+    const gcode::ArcChords chords{record, gcode::kChordShare * tolerance_mm_};
+    Place before = from;
+    double share = 0.0;
+    for (std::uint64_t n = 1; n <= chords.count(); ++n) {
+        const Place place = place_of(from, record.placed, chords.end_of(n));
+        const double length = scale_.seconds_along(before, place);
+        if (length > 0.0) share += scale_.seconds_along(rounded(before), rounded(place)) / length;
+        before = place;
+    }
+    return share / static_cast<double>(chords.count());
 }
 
 std::optional<WayArc> WayReader::arc_of(const CanonRecord& record) const {

@@ -20,6 +20,13 @@ struct JudgedProgram {
     double override_ratio = 1.0;         ///< the fastest that its feeds were run
 };
 
+/// The least that a way may take; all 0: as fast as the machine can.
+struct WayTime {
+    double programmed_s = 0.0;  ///< its length by its feed
+    double stepped_s = 0.0;     ///< as long a part of that as its whole pulses are one of its length
+    double before_s = 0.0;      ///< programmed for the ways before it that have no pulse
+};
+
 /// A way, and what a program asks of it.
 struct WayDemand {
     ProgrammedWay way;
@@ -27,10 +34,11 @@ struct WayDemand {
     double tolerance_mm = 0.0;  ///< how far off the way the path may be, besides pulses
     double slack_pulses = 1.5;  ///< rounding of the canonical ends, of the path, of its cuts: a half each
     bool is_exact = false;      ///< its end is reached to the pulse, at rest
-    double seconds = 0.0;       ///< the least that it may take; 0: as fast as the machine can
-    double dwell_s = 0.0;       ///< the rest at its end
-    bool is_stepped = false;    ///< by point-by-point comparison, from rest to rest
-    bool goes_on = false;       ///< a piece of a drawn way, and not its first
+    WayTime time{};
+    bool asks_for_rest = false;  ///< at its end, besides coming to it
+    double dwell_s = 0.0;        ///< the rest at its end, as far as it is known
+    bool is_stepped = false;     ///< by point-by-point comparison, from rest to rest
+    bool goes_on = false;        ///< a piece of a drawn way, and not its first
     bool needs_spindle = false;
 };
 
@@ -51,6 +59,9 @@ public:
 private:
     std::optional<WayDemand> way_of(const gcode::CanonRecord& record);
     std::optional<WayArc> arc_of(const gcode::CanonRecord& record) const;
+    Place place_of(const Place& from, gcode::AxisMask placed, const gcode::Position& at) const noexcept;
+    double stepped_share(const gcode::CanonRecord& record, const Place& from, const Place& to) const;
+    double share_on_chords(const gcode::CanonRecord& record, const Place& from) const;
     void rest(const gcode::CanonRecord& record);
     void note_mode(const gcode::CanonRecord& record) noexcept;
 
@@ -65,6 +76,7 @@ private:
     bool is_spindle_on_ = false;
     double psi_shift_deg_ = 0.0;
     Place at_;
+    double without_pulse_s_ = 0.0;  ///< of the ways since the last one that had any
     std::optional<WayDemand> held_;
 };
 

@@ -125,7 +125,7 @@ void PerfectMachine::step_all(unsigned axes, unsigned positive) {
     emit(now_ns_, (levels_ & ~kDirMask) | directions);
     emit(now_ns_ + kSetup_ns, levels_ | axes);
     emit(now_ns_ + kSetup_ns + kHigh_ns, levels_ & ~SignalWord{axes});
-    now_ns_ += kIteration_ns;
+    now_ns_ += iteration_ns;
 }
 
 PerfectMachine& PerfectMachine::pulse(Axis axis, bool positive) {

@@ -62,6 +62,7 @@ public:
     TraceStart start;
     std::vector<TraceEvent> events;
     std::array<std::int64_t, kAxisCount> position{};
+    std::int64_t iteration_ns = kIteration_ns;
     std::array<std::int64_t, kAxisCount> gap{};  ///< backlash: extra pulses wherever an axis turns round
 
 private:

@@ -716,6 +716,10 @@
             <translation>%1: строка %2: для %3 нет места: здесь значение с этим именем; переименуйте его</translation>
         </message>
         <message>
+            <source>%1: not found beside psicarve-hmi nor in PATH; install it there</source>
+            <translation>%1: не найдено ни рядом с psicarve-hmi, ни в PATH; установите туда</translation>
+        </message>
+        <message>
             <source>%1: not homed</source>
             <translation>%1: ноль не найден</translation>
         </message>
@@ -746,6 +750,10 @@
         <message>
             <source>%1: whether it was homed is not recorded</source>
             <translation>%1: найден ли ноль, не записано</translation>
+        </message>
+        <message>
+            <source>%1: work offsets cannot be kept: %2</source>
+            <translation>%1: рабочие смещения нельзя сохранить: %2</translation>
         </message>
         <message>
             <source>%1–%2 mm high (%3 %)</source>
@@ -3755,6 +3763,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>R2 включение</translation>
         </message>
         <message>
+            <source>R2 follows R1 (profile: gcode.second_head), and they stand at different radii; bring them to one radius</source>
+            <translation>R2 следует за R1 (профиль: gcode.second_head), а радиусы у них разные; приведите их к одному радиусу</translation>
+        </message>
+        <message>
             <source>R2 half</source>
             <translation>Половина R2</translation>
         </message>
@@ -6315,6 +6327,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>выводы записывает другой процесс, или это ядро не может их записывать</translation>
         </message>
         <message>
+            <source>another process has the work offsets, as the one that runs a program has; wait for its end, or stop it</source>
+            <translation>рабочие смещения заняты другим процессом, например исполняющим программу; дождитесь его конца или остановите его</translation>
+        </message>
+        <message>
             <source>another program is being sent (process %1); wait for its end</source>
             <translation>передаётся другая программа (процесс %1); дождитесь её конца</translation>
         </message>
@@ -6679,6 +6695,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>аварийный останов</translation>
         </message>
         <message>
+            <source>emergency stop by the operator</source>
+            <translation>аварийный останов оператором</translation>
+        </message>
+        <message>
             <source>end the block before the program ends</source>
             <translation>закончите блок до конца программы</translation>
         </message>
@@ -6871,6 +6891,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>изменён после чтения; разберите его снова</translation>
         </message>
         <message>
+            <source>has been changed while it is run; what was read of it before is run</source>
+            <translation>изменён во время исполнения; исполняется прочитанное до этого</translation>
+        </message>
+        <message>
             <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
             <translation>нет замкнутого контура; самая длинная линия от %1 до %2 mm, разрыв %3; замкните её в графической программе</translation>
         </message>
@@ -6991,6 +7015,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>это папка, а не файл модели</translation>
         </message>
         <message>
+            <source>is a folder; choose a program</source>
+            <translation>это папка; выберите программу</translation>
+        </message>
+        <message>
             <source>is a zip archive, but holds no 3MF model</source>
             <translation>это архив zip, но без модели 3MF</translation>
         </message>
@@ -7005,6 +7033,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>is no psicarve job or snapshot file</source>
             <translation>не файл задания или снимка psicarve</translation>
+        </message>
+        <message>
+            <source>is no regular file, and is read twice</source>
+            <translation>не обычный файл, а читается дважды</translation>
         </message>
         <message>
             <source>is not a regular file</source>
@@ -7029,6 +7061,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>it said nothing</source>
             <translation>она ничего не сообщила</translation>
+        </message>
+        <message>
+            <source>it was stopped in line %1; it can go on from there</source>
+            <translation>остановлена в строке %1; с неё можно продолжить</translation>
         </message>
         <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
@@ -7247,6 +7283,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>строка %1</translation>
         </message>
         <message>
+            <source>line %1 has more than 64 MiB: this is no program in G-code</source>
+            <translation>в строке %1 больше 64 MiB: это не программа в G-коде</translation>
+        </message>
+        <message>
             <source>line %1: %2 cannot count so far</source>
             <translation>строка %1: %2 не может отсчитать так далеко</translation>
         </message>
@@ -7257,6 +7297,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>line %1: %2 would come to %3, its travel is %4 to %5; move the work offset</source>
             <translation>строка %1: %2 пришла бы в %3, её ход от %4 до %5; сдвиньте смещение детали</translation>
+        </message>
+        <message>
+            <source>line %1: it is not known where %2 begins</source>
+            <translation>строка %1: неизвестно, откуда начинает %2</translation>
         </message>
         <message>
             <source>line %1: it would take more than %2 ms; change its feed or its dwell</source>
@@ -7341,6 +7385,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>marks %1 mm apart on a blank of %2 mm would be %3°; more than %4° is no error of mounting. Was the table turned by exactly half a turn?</source>
             <translation>метки в %1 mm друг от друга на заготовке %2 mm — это %3°; больше %4° — не погрешность монтажа. Стол повёрнут ровно на пол-оборота?</translation>
+        </message>
+        <message>
+            <source>may not be read by this user; let the machine's group read it, or name another folder: $PSICARVE_STATE</source>
+            <translation>этот пользователь не может его прочитать; разрешите чтение группе станка или укажите другую папку: $PSICARVE_STATE</translation>
         </message>
         <message>
             <source>may not be written</source>
@@ -8207,6 +8255,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>остановлено в %1</translation>
         </message>
         <message>
+            <source>stopped by the operator</source>
+            <translation>остановлена оператором</translation>
+        </message>
+        <message>
             <source>stopped in layer %1</source>
             <translation>остановлено в слое %1</translation>
         </message>
@@ -8369,6 +8421,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the core ended before it answered</source>
             <translation>ядро завершилось, не ответив</translation>
+        </message>
+        <message>
+            <source>the core has another profile than %1; open the one that it was started with</source>
+            <translation>у ядра другой профиль, чем %1; откройте тот, с которым оно запущено</translation>
         </message>
         <message>
             <source>the core has refused the next line: only Stop is left</source>
@@ -8579,6 +8635,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ноль станка не найден; сначала найдите ноль</translation>
         </message>
         <message>
+            <source>the machine was moved or its spindle switched meanwhile; nothing was begun, start it again</source>
+            <translation>за это время станок сдвинули или переключили шпиндель; ничего не начато, пустите снова</translation>
+        </message>
+        <message>
             <source>the mesh has no volume (all of it is flat); there is nothing to carve</source>
             <translation>у сетки нет объёма (вся плоская); резать нечего</translation>
         </message>
@@ -8615,6 +8675,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>программа доходит до ядра не такой, какой прочитана; запустите её снова</translation>
         </message>
         <message>
+            <source>the program ends before line %1; begin at an earlier line</source>
+            <translation>программа кончается до строки %1; начните с более ранней</translation>
+        </message>
+        <message>
             <source>the program has no end</source>
             <translation>у программы нет конца</translation>
         </message>
@@ -8627,6 +8691,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>программа пуста</translation>
         </message>
         <message>
+            <source>the program was given up</source>
+            <translation>от программы отказались</translation>
+        </message>
+        <message>
             <source>the published job is damaged; publish it again</source>
             <translation>опубликованное задание повреждено; опубликуйте его снова</translation>
         </message>
@@ -8637,6 +8705,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the speed must be above 0</source>
             <translation>скорость должна быть больше 0</translation>
+        </message>
+        <message>
+            <source>the spindle is on; for a dry run switch it off</source>
+            <translation>шпиндель включён; для холостого прогона выключите его</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
@@ -8695,6 +8767,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>значение бесконечно или не существует</translation>
         </message>
         <message>
+            <source>the work offsets have been changed since it was read; decode it again</source>
+            <translation>рабочие смещения изменены после чтения; разберите её снова</translation>
+        </message>
+        <message>
             <source>the zip archive is cut off or damaged</source>
             <translation>архив zip обрезан или повреждён</translation>
         </message>
@@ -8721,6 +8797,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>these are no two numbers; enter them as 0.0 ... 60.0</source>
             <translation>это не два числа; введите их так: 0.0 ... 60.0</translation>
+        </message>
+        <message>
+            <source>these work offsets cannot be kept</source>
+            <translation>эти рабочие смещения нельзя сохранить</translation>
         </message>
         <message>
             <source>this is no DXF file: it does not begin with a section</source>

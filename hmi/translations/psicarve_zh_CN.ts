@@ -716,6 +716,10 @@
             <translation>%1：第 %2 行：%3 没有位置：此处有同名的值；请改名</translation>
         </message>
         <message>
+            <source>%1: not found beside psicarve-hmi nor in PATH; install it there</source>
+            <translation>%1：在 psicarve-hmi 旁边和 PATH 中都找不到；请安装到那里</translation>
+        </message>
+        <message>
             <source>%1: not homed</source>
             <translation>%1：未回零</translation>
         </message>
@@ -746,6 +750,10 @@
         <message>
             <source>%1: whether it was homed is not recorded</source>
             <translation>%1：是否回零未记录</translation>
+        </message>
+        <message>
+            <source>%1: work offsets cannot be kept: %2</source>
+            <translation>%1：无法保存工件偏置：%2</translation>
         </message>
         <message>
             <source>%1–%2 mm high (%3 %)</source>
@@ -3752,6 +3760,10 @@ N、Shift+N  下一条、上一条记录
             <translation>R2 使能</translation>
         </message>
         <message>
+            <source>R2 follows R1 (profile: gcode.second_head), and they stand at different radii; bring them to one radius</source>
+            <translation>R2 跟随 R1（配置：gcode.second_head），但两者半径不同；请移到同一半径</translation>
+        </message>
+        <message>
             <source>R2 half</source>
             <translation>R2 半周</translation>
         </message>
@@ -6308,6 +6320,10 @@ N、Shift+N  下一条、上一条记录
             <translation>另一进程正在记录引脚，或此内核不能记录</translation>
         </message>
         <message>
+            <source>another process has the work offsets, as the one that runs a program has; wait for its end, or stop it</source>
+            <translation>工件偏置被另一进程占用，例如正在运行程序的进程；请等它结束，或停止它</translation>
+        </message>
+        <message>
             <source>another program is being sent (process %1); wait for its end</source>
             <translation>正在发送另一个程序（进程 %1）；请等它结束</translation>
         </message>
@@ -6672,6 +6688,10 @@ N、Shift+N  下一条、上一条记录
             <translation>急停</translation>
         </message>
         <message>
+            <source>emergency stop by the operator</source>
+            <translation>操作员急停</translation>
+        </message>
+        <message>
             <source>end the block before the program ends</source>
             <translation>请在程序结束前结束程序块</translation>
         </message>
@@ -6864,6 +6884,10 @@ N、Shift+N  下一条、上一条记录
             <translation>读取后已更改；请重新解析</translation>
         </message>
         <message>
+            <source>has been changed while it is run; what was read of it before is run</source>
+            <translation>运行期间文件被更改；只运行此前读取的部分</translation>
+        </message>
+        <message>
             <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
             <translation>没有闭合轮廓；最长的线从 %1 到 %2 mm，相距 %3；请在绘图软件中闭合</translation>
         </message>
@@ -6984,6 +7008,10 @@ N、Shift+N  下一条、上一条记录
             <translation>是文件夹，不是模型文件</translation>
         </message>
         <message>
+            <source>is a folder; choose a program</source>
+            <translation>是文件夹；请选择程序</translation>
+        </message>
+        <message>
             <source>is a zip archive, but holds no 3MF model</source>
             <translation>是 zip 压缩包，但不含 3MF 模型</translation>
         </message>
@@ -6998,6 +7026,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>is no psicarve job or snapshot file</source>
             <translation>不是 psicarve 的作业或快照文件</translation>
+        </message>
+        <message>
+            <source>is no regular file, and is read twice</source>
+            <translation>不是普通文件，而程序要读取两遍</translation>
         </message>
         <message>
             <source>is not a regular file</source>
@@ -7022,6 +7054,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>it said nothing</source>
             <translation>它没有说明</translation>
+        </message>
+        <message>
+            <source>it was stopped in line %1; it can go on from there</source>
+            <translation>已在第 %1 行停止；可从该行继续</translation>
         </message>
         <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
@@ -7240,6 +7276,10 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 行</translation>
         </message>
         <message>
+            <source>line %1 has more than 64 MiB: this is no program in G-code</source>
+            <translation>第 %1 行超过 64 MiB：这不是 G 代码程序</translation>
+        </message>
+        <message>
             <source>line %1: %2 cannot count so far</source>
             <translation>第 %1 行：%2 无法计数到那么远</translation>
         </message>
@@ -7250,6 +7290,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>line %1: %2 would come to %3, its travel is %4 to %5; move the work offset</source>
             <translation>第 %1 行：%2 将到达 %3，其行程为 %4 至 %5；请移动工件偏置</translation>
+        </message>
+        <message>
+            <source>line %1: it is not known where %2 begins</source>
+            <translation>第 %1 行：不知道 %2 从何处开始</translation>
         </message>
         <message>
             <source>line %1: it would take more than %2 ms; change its feed or its dwell</source>
@@ -7334,6 +7378,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>marks %1 mm apart on a blank of %2 mm would be %3°; more than %4° is no error of mounting. Was the table turned by exactly half a turn?</source>
             <translation>标记相距 %1 mm，毛坯 %2 mm，即 %3°；超过 %4° 不是安装误差。转台是否正好转了半圈？</translation>
+        </message>
+        <message>
+            <source>may not be read by this user; let the machine's group read it, or name another folder: $PSICARVE_STATE</source>
+            <translation>当前用户无权读取；请允许机床所属的组读取，或指定其他文件夹：$PSICARVE_STATE</translation>
         </message>
         <message>
             <source>may not be written</source>
@@ -8200,6 +8248,10 @@ N、Shift+N  下一条、上一条记录
             <translation>停止于 %1</translation>
         </message>
         <message>
+            <source>stopped by the operator</source>
+            <translation>被操作员停止</translation>
+        </message>
+        <message>
             <source>stopped in layer %1</source>
             <translation>停在第 %1 层</translation>
         </message>
@@ -8362,6 +8414,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the core ended before it answered</source>
             <translation>内核在回答之前已结束</translation>
+        </message>
+        <message>
+            <source>the core has another profile than %1; open the one that it was started with</source>
+            <translation>内核的配置不是 %1；请打开启动内核时所用的配置</translation>
         </message>
         <message>
             <source>the core has refused the next line: only Stop is left</source>
@@ -8572,6 +8628,10 @@ N、Shift+N  下一条、上一条记录
             <translation>机床未回零；请先回零</translation>
         </message>
         <message>
+            <source>the machine was moved or its spindle switched meanwhile; nothing was begun, start it again</source>
+            <translation>其间机床被移动过或主轴被开关过；没有开始，请重新启动</translation>
+        </message>
+        <message>
             <source>the mesh has no volume (all of it is flat); there is nothing to carve</source>
             <translation>网格没有体积（全部是平的）；没有可雕刻的内容</translation>
         </message>
@@ -8608,6 +8668,10 @@ N、Shift+N  下一条、上一条记录
             <translation>程序没有原样到达内核；请重新启动程序</translation>
         </message>
         <message>
+            <source>the program ends before line %1; begin at an earlier line</source>
+            <translation>程序在第 %1 行之前结束；请从更前面的行开始</translation>
+        </message>
+        <message>
             <source>the program has no end</source>
             <translation>程序没有结尾</translation>
         </message>
@@ -8620,6 +8684,10 @@ N、Shift+N  下一条、上一条记录
             <translation>程序是空的</translation>
         </message>
         <message>
+            <source>the program was given up</source>
+            <translation>程序已放弃</translation>
+        </message>
+        <message>
             <source>the published job is damaged; publish it again</source>
             <translation>已发布的作业已损坏；请重新发布</translation>
         </message>
@@ -8630,6 +8698,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the speed must be above 0</source>
             <translation>速度必须大于 0</translation>
+        </message>
+        <message>
+            <source>the spindle is on; for a dry run switch it off</source>
+            <translation>主轴开着；空运行请先关闭主轴</translation>
         </message>
         <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
@@ -8688,6 +8760,10 @@ N、Shift+N  下一条、上一条记录
             <translation>值为无穷大或不存在</translation>
         </message>
         <message>
+            <source>the work offsets have been changed since it was read; decode it again</source>
+            <translation>读取之后工件偏置已更改；请重新解析</translation>
+        </message>
+        <message>
             <source>the zip archive is cut off or damaged</source>
             <translation>zip 压缩包被截断或已损坏</translation>
         </message>
@@ -8714,6 +8790,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>these are no two numbers; enter them as 0.0 ... 60.0</source>
             <translation>这不是两个数字；请按 0.0 ... 60.0 的形式输入</translation>
+        </message>
+        <message>
+            <source>these work offsets cannot be kept</source>
+            <translation>无法保存这些工件偏置</translation>
         </message>
         <message>
             <source>this is no DXF file: it does not begin with a section</source>

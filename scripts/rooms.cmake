@@ -35,7 +35,7 @@ set(PSICARVE_ROOMS
     "hmi/phrase -> shared/message shared/wording shared/base shared/machine"
     "hmi/verify/motor -> shared/base"
     "hmi/slice -> shared/base hmi/model"
-    "hmi/gcode -> shared/base shared/machine shared/profile shared/program"
+    "hmi/gcode -> shared/base shared/machine shared/profile shared/program hmi/phrase"
     "hmi/offsets -> shared/base shared/computer shared/machine shared/file shared/profile shared/segment hmi/gcode"
     "hmi/manual -> shared/machine shared/profile"
     "hmi/profile -> shared/base shared/machine shared/file shared/profile hmi/phrase"

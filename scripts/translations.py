@@ -33,8 +33,8 @@ EXPLANATION = re.compile(rf"\b\w+\.(?:number|word)\([^;]*?({STRINGS})\);")
 PIN_EXPLANATION = re.compile(rf"\bis_output\(\w+\)\s*\?\s*({STRINGS}):\s*({STRINGS});")
 CORE_NAMES = re.compile(r"\b(?:name|remedy)_of\((?:AlarmCause|MachineState|CommandKind|RealtimeStep).*?\n}", re.DOTALL)
 
-# What joins two sentences: Chinese has a colon of its own.
-WITHOUT_WORDS = {"%1: %2"}
+# What joins sentences: Chinese has a colon and a semicolon of its own.
+WITHOUT_WORDS = {"%1: %2", "%1: %2; %3"}
 
 SIMPLE_ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
@@ -66,7 +66,7 @@ def texts_in(path):
 def source_texts():
     """All texts, each once, in the order of the alphabet."""
     texts = set()
-    for folder in ("phrase", "profile", "program", "replay", "scene", "session", "ui"):
+    for folder in ("gcode", "phrase", "profile", "program", "replay", "scene", "session", "ui"):
         for path in sorted((ROOT / "hmi" / folder).rglob("*.[ch]pp")):
             texts.update(texts_in(path))
     table = without_comments((ROOT / "shared" / "profile" / "profile_table.cpp").read_text(encoding="utf-8"))

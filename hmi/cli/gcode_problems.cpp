@@ -18,7 +18,7 @@ Json problems_json(const std::vector<gcode::Problem>& problems) {
         Json row{{"line", problem.line},
                  {"column", problem.column},
                  {"code", gcode::name_of(problem.code)},
-                 {"what", problem.what},
+                 {"what", gcode::what_text(problem)},
                  {"remedy", gcode::remedy_of(problem.code)}};
         if (problem.times > 1) row["times"] = problem.times;
         list.push_back(std::move(row));

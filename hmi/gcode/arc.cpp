@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "shared/base/units.hpp"
@@ -20,12 +19,6 @@ double distance_mm(const PlanePoint& a, const PlanePoint& b) noexcept {
     return std::hypot(a.first_mm - b.first_mm, a.second_mm - b.second_mm);
 }
 
-std::string told(const char* format, double a_mm, double b_mm) {
-    char text[160];
-    std::snprintf(text, sizeof text, format, a_mm, b_mm);
-    return text;
-}
-
 }  // namespace
 
 std::optional<ArcFault> centre_fault(const PlanePoint& start, const PlanePoint& end,
@@ -33,14 +26,14 @@ std::optional<ArcFault> centre_fault(const PlanePoint& start, const PlanePoint& 
     const double start_mm = distance_mm(start, centre);
     const double end_mm = distance_mm(end, centre);
     if (std::min(start_mm, end_mm) < kLeastRadiusMm)
-        return ArcFault{ProblemCode::arc_radius_zero, "the arc's centre lies on one of its ends"};
+        return ArcFault{ProblemCode::arc_radius_zero, phrase("the arc's centre lies on one of its ends")};
     const double difference_mm = std::abs(start_mm - end_mm);
     const double allowed_mm =
         std::min(kMostDifferenceMm, std::max(kAnyDifferenceMm, kMostDifferenceRatio * start_mm));
     if (difference_mm > allowed_mm)
-        return ArcFault{
-            ProblemCode::arc_radius_differs,
-            told("the arc's radius is %.4f mm at its begin and %.4f mm at its end", start_mm, end_mm)};
+        return ArcFault{ProblemCode::arc_radius_differs,
+                        phrase("the arc's radius is %1 mm at its begin and %2 mm at its end",
+                               mm_text(start_mm), mm_text(end_mm))};
     return std::nullopt;
 }
 
@@ -48,15 +41,15 @@ std::optional<PlanePoint> centre_of_radius(const PlanePoint& start, const PlaneP
                                            bool is_clockwise, std::optional<ArcFault>& fault) {
     const double chord_mm = distance_mm(start, end);
     if (chord_mm < kSamePlaceMm) {
-        fault = ArcFault{ProblemCode::arc_whole_by_radius, "the arc ends where it begins"};
+        fault = ArcFault{ProblemCode::arc_whole_by_radius, phrase("the arc ends where it begins")};
         return std::nullopt;
     }
     const double half_mm = chord_mm / 2.0;
     const double magnitude_mm = std::abs(radius_mm);
     if (half_mm - magnitude_mm > kAnyDifferenceMm || magnitude_mm < kLeastRadiusMm) {
         fault = ArcFault{ProblemCode::arc_radius_small,
-                         told("a radius of %.4f mm does not reach the end, which is %.4f mm away",
-                              magnitude_mm, chord_mm)};
+                         phrase("a radius of %1 mm does not reach the end, which is %2 mm away",
+                                mm_text(magnitude_mm), mm_text(chord_mm))};
         return std::nullopt;
     }
     const double inside = (magnitude_mm - half_mm) * (magnitude_mm + half_mm);

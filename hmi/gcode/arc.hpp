@@ -16,7 +16,7 @@ struct PlanePoint {
 
 struct ArcFault {
     ProblemCode code;
-    std::string what;
+    Phrase what;
 };
 
 /// An arc whose ends are this close is a whole circle.

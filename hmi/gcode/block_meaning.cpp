@@ -35,7 +35,7 @@ std::string code_name(char letter, int code) {
     return name;
 }
 
-Problem BlockMeaning::problem(std::uint32_t column, ProblemCode code, std::string what) const {
+Problem BlockMeaning::problem(std::uint32_t column, ProblemCode code, Phrase what) const {
     return {line_, column, code, std::move(what)};
 }
 
@@ -71,10 +71,10 @@ std::optional<Problem> BlockMeaning::read_code(const Word& word, Dialect dialect
     const double scaled = is_g ? word.value * 10.0 : word.value;
     const double nearest = std::round(scaled);
     const ProblemCode unknown = is_g ? ProblemCode::unknown_g : ProblemCode::unknown_m;
-    const std::string_view kind = is_g ? "G" : "M";
     const bool is_plain = std::abs(scaled - nearest) < 1e-6 && nearest >= 0.0 && nearest < 1000.0;
     if (!is_plain)
-        return problem(word.column, unknown, std::string{kind} + spoken(word.value) + " is not known");
+        return problem(word.column, unknown,
+                       phrase("%1 is not known", std::string{word.letter} + spoken(word.value)));
     int code = static_cast<int>(nearest);
     if (is_g && dialect == Dialect::iso && (code == 700 || code == 710)) code -= 500;
     const CodeEntry entry = is_g ? g_code_entry(code) : m_code_entry(code);
@@ -83,14 +83,14 @@ std::optional<Problem> BlockMeaning::read_code(const Word& word, Dialect dialect
             return enter(word, entry.group, code);
         case CodeStanding::compensation:
             return problem(word.column, ProblemCode::compensation,
-                           code_name(word.letter, code) + ": cutter compensation is not done");
+                           phrase("%1: cutter compensation is not done", code_name(word.letter, code)));
         case CodeStanding::tool_table:
             return problem(word.column, ProblemCode::tool_table,
-                           code_name(word.letter, code) + ": there is no tool table");
+                           phrase("%1: there is no tool table", code_name(word.letter, code)));
         case CodeStanding::unknown:
             break;
     }
-    return problem(word.column, unknown, code_name(word.letter, code) + " is not known");
+    return problem(word.column, unknown, phrase("%1 is not known", code_name(word.letter, code)));
 }
 
 std::optional<Problem> BlockMeaning::enter(const Word& word, CodeGroup group, int code) {
@@ -101,8 +101,8 @@ std::optional<Problem> BlockMeaning::enter(const Word& word, CodeGroup group, in
     if (is_end_of_cycle) return std::nullopt;
     if (place != kNoCode && !(group == CodeGroup::motion && place == 800 && code != 800))
         return problem(word.column, ProblemCode::group_conflict,
-                       code_name(word.letter, code) + " stands beside " + code_name(word.letter, place) +
-                           " of its group");
+                       phrase("%1 stands beside %2 of its group", code_name(word.letter, code),
+                              code_name(word.letter, place)));
     place = code;
     code_columns_[index_of(group)] = word.column;
     return std::nullopt;
@@ -111,15 +111,15 @@ std::optional<Problem> BlockMeaning::enter(const Word& word, CodeGroup group, in
 std::optional<Problem> BlockMeaning::read_value(const Word& word) {
     if (has(word.letter))
         return problem(word.column, ProblemCode::word_repeated,
-                       std::string{word.letter} + " stands twice in the block");
+                       phrase("%1 stands twice in the block", word.letter));
     const bool counts = kWholeLetters.find(word.letter) != std::string_view::npos;
     if (counts && word.value != std::floor(word.value))
         return problem(word.column, ProblemCode::not_whole,
-                       word.letter + spoken(word.value) + " is no whole number");
+                       phrase("%1 is no whole number", word.letter + spoken(word.value)));
     const bool has_sign = !counts && word.letter != 'F' && word.letter != 'S';
     if (!has_sign && word.value < 0.0)
         return problem(word.column, ProblemCode::out_of_range,
-                       word.letter + spoken(word.value) + " is less than 0");
+                       phrase("%1 is less than 0", word.letter + spoken(word.value)));
     given_ |= bit_of(word.letter);
     values_[slot_of(word.letter)] = word.value;
     columns_[slot_of(word.letter)] = word.column;
@@ -130,11 +130,12 @@ std::optional<Problem> BlockMeaning::read_value(const Word& word) {
 
 std::optional<Problem> BlockMeaning::left_over() const {
     if (axes_ != 0 && !are_axes_taken_)
-        return problem(axis_column(), ProblemCode::axes_unused, "no motion is in force that uses axis words");
+        return problem(axis_column(), ProblemCode::axes_unused,
+                       phrase("no motion is in force that uses axis words"));
     for (const char letter : std::string_view{"IJKRPQLHD"}) {
         if (has(letter) && (taken_ & bit_of(letter)) == 0)
             return problem(column(letter), ProblemCode::word_unused,
-                           "nothing in the block uses " + std::string{letter});
+                           phrase("nothing in the block uses %1", letter));
     }
     return std::nullopt;
 }

@@ -48,7 +48,7 @@ public:
     /// The first word that was not used.
     std::optional<Problem> left_over() const;
 
-    Problem problem(std::uint32_t column, ProblemCode code, std::string what) const;
+    Problem problem(std::uint32_t column, ProblemCode code, Phrase what) const;
 
 private:
     static std::size_t index_of(CodeGroup group) noexcept { return static_cast<std::size_t>(group); }

@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    Problem problem(std::size_t index, ProblemCode code, std::string what) const {
+    Problem problem(std::size_t index, ProblemCode code, Phrase what) const {
         return {line_number_, static_cast<std::uint32_t>(index + 1), code, std::move(what)};
     }
 
@@ -82,9 +82,9 @@ private:
     std::optional<Problem> pass_comment() {
         const std::size_t end = line_.find_first_of("()", at_ + 1);
         if (end == std::string_view::npos)
-            return problem(at_, ProblemCode::open_comment, "the comment has no end");
+            return problem(at_, ProblemCode::open_comment, phrase("the comment has no end"));
         if (line_[end] == '(')
-            return problem(end, ProblemCode::nested_comment, "a comment begins within a comment");
+            return problem(end, ProblemCode::nested_comment, phrase("a comment begins within a comment"));
         at_ = end + 1;
         return std::nullopt;
     }
@@ -98,7 +98,7 @@ private:
         const std::string_view text = line_.substr(at_, number.end - at_);
         if (!number.value)
             return problem(at_, ProblemCode::bad_number,
-                           "'" + std::string{text.substr(0, 24)} + "...' is more than 1000000000");
+                           phrase("'%1...' is more than 1000000000", text.substr(0, 24)));
         block_.add({letter, static_cast<std::uint32_t>(at_ + 1), *number.value});
         at_ = number.end;
         return std::nullopt;
@@ -108,13 +108,13 @@ private:
     std::optional<Problem> read_calculated(char letter) {
         ExpressionReader reader{line_, at_ + 1, parameters_, mode_.is_judging};
         if (reader.is_at_end() || !begins_value(line_, reader.at()))
-            return problem(at_, ProblemCode::number_missing, std::string{letter} + " has no number");
+            return problem(at_, ProblemCode::number_missing, phrase("%1 has no number", letter));
         block_.mark_values();
         double value = 0.0;
         if (!reader.read_value(value)) return of(reader);
         if (std::abs(value) > kLargestValue)
             return problem(at_, ProblemCode::bad_number,
-                           std::string{letter} + " has a value of more than 1000000000");
+                           phrase("%1 has a value of more than 1000000000", letter));
         block_.add({letter, static_cast<std::uint32_t>(at_ + 1), counted(letter, value)});
         at_ = reader.at();
         return std::nullopt;
@@ -127,7 +127,8 @@ private:
         ParameterKey key;
         if (!reader.read_key(key)) return of(reader);
         if (!reader.take("="))
-            return problem(begin, ProblemCode::assignment_wrong, "a parameter stands here, and sets nothing");
+            return problem(begin, ProblemCode::assignment_wrong,
+                           phrase("a parameter stands here, and sets nothing"));
         double value = 0.0;
         if (!reader.read_value(value)) return of(reader);
         if (!mode_.is_judging) {
@@ -144,7 +145,8 @@ private:
         const auto words = block_.words();
         const bool is_first =
             std::all_of(words.begin(), words.end(), [](const Word& word) { return word.letter == 'N'; });
-        if (!is_first) return problem(at_, ProblemCode::o_word_beside, "an O word stands behind other words");
+        if (!is_first)
+            return problem(at_, ProblemCode::o_word_beside, phrase("an O word stands behind other words"));
         block_.mark_o_word(at_);
         at_ = line_.size();
         return std::nullopt;
@@ -157,10 +159,12 @@ private:
 
     Problem refuse_character(char letter) const {
         if (letter == '[')
-            return problem(at_, ProblemCode::bad_character, "an expression stands here without a letter");
+            return problem(at_, ProblemCode::bad_character,
+                           phrase("an expression stands here without a letter"));
         if (letter == '%')
-            return problem(at_, ProblemCode::percent_place, "% stands among other things, or in the middle");
-        return problem(at_, ProblemCode::bad_character, "'" + std::string{line_[at_]} + "' begins no word");
+            return problem(at_, ProblemCode::percent_place,
+                           phrase("% stands among other things, or in the middle"));
+        return problem(at_, ProblemCode::bad_character, phrase("'%1' begins no word", line_[at_]));
     }
 
     std::string_view line_;
@@ -178,7 +182,7 @@ std::optional<Problem> read_block(std::string_view line, std::uint64_t line_numb
     if (line.size() > kMostLineBytes) {
         block.begin(line_number);
         return Problem{line_number, static_cast<std::uint32_t>(kMostLineBytes + 1),
-                       ProblemCode::line_too_long, "the line has more than 1024 bytes"};
+                       ProblemCode::line_too_long, phrase("the line has more than 1024 bytes")};
     }
     return LineReader{line, line_number, parameters, mode, block}.read();
 }

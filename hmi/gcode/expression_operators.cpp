@@ -2,6 +2,7 @@
 // Operators and functions of expressions.
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "hmi/gcode/expression_reader.hpp"
 #include "shared/base/units.hpp"
@@ -95,24 +96,24 @@ bool ExpressionReader::read_operations(int least_strength, double& value) {
 }
 
 bool ExpressionReader::operate(Operator operation, std::size_t index, double& left, double right) {
-    const auto impossible = [&](const char* what) {
-        return fail(index, ProblemCode::value_impossible, what);
+    const auto impossible = [&](Phrase what) {
+        return fail(index, ProblemCode::value_impossible, std::move(what));
     };
     switch (operation) {
         case Operator::power:
             if (left < 0.0 && right != std::floor(right))
-                return impossible("a negative number to a power that is not whole");
+                return impossible(phrase("a negative number to a power that is not whole"));
             left = std::pow(left, right);
             break;
         case Operator::product:
             left *= right;
             break;
         case Operator::quotient:
-            if (right == 0.0) return impossible("a division by 0");
+            if (right == 0.0) return impossible(phrase("a division by 0"));
             left /= right;
             break;
         case Operator::modulo:
-            if (right == 0.0) return impossible("a division by 0");
+            if (right == 0.0) return impossible(phrase("a division by 0"));
             left = std::fmod(left, right);
             if (left < 0.0) left += std::abs(right);
             break;
@@ -180,39 +181,40 @@ bool ExpressionReader::read_function(double& value) {
         if (!read_bracketed(value)) return false;
         if (entry.function != Function::atan)
             return is_judging_ || (apply(entry.function, begin, value) && keep_finite(begin, value));
-        if (!take("/")) return fail(at_, ProblemCode::expression_wrong, "ATAN takes two values: ATAN[y]/[x]");
+        if (!take("/"))
+            return fail(at_, ProblemCode::expression_wrong, phrase("ATAN takes two values: ATAN[y]/[x]"));
         double across = 0.0;
         if (!read_bracketed(across)) return false;
         value = deg_from_rad(std::atan2(value, across));
         return true;
     }
-    return fail(begin, ProblemCode::expression_wrong, "no function begins so");
+    return fail(begin, ProblemCode::expression_wrong, phrase("no function begins so"));
 }
 
 bool ExpressionReader::read_exists(double& value) {
-    if (!take("[")) return fail(at_, ProblemCode::bracket_missing, "[ is missing");
-    if (!take("#")) return fail(at_, ProblemCode::expression_wrong, "EXISTS asks for a parameter");
+    if (!take("[")) return fail(at_, ProblemCode::bracket_missing, phrase("[ is missing"));
+    if (!take("#")) return fail(at_, ProblemCode::expression_wrong, phrase("EXISTS asks for a parameter"));
     ParameterKey key;
     if (!read_key(key)) return false;
-    if (!take("]")) return fail(at_, ProblemCode::bracket_missing, "EXISTS[ has no ]");
+    if (!take("]")) return fail(at_, ProblemCode::bracket_missing, phrase("EXISTS[ has no ]"));
     value = truth(parameters_.exists(key));
     return true;
 }
 
 bool ExpressionReader::apply(Function function, std::size_t index, double& value) {
-    const auto impossible = [&](const char* what) {
-        return fail(index, ProblemCode::value_impossible, what);
+    const auto impossible = [&](Phrase what) {
+        return fail(index, ProblemCode::value_impossible, std::move(what));
     };
     switch (function) {
         case Function::abs:
             value = std::abs(value);
             break;
         case Function::acos:
-            if (!(std::abs(value) <= 1.0)) return impossible("ACOS of a value beyond 1");
+            if (!(std::abs(value) <= 1.0)) return impossible(phrase("ACOS of a value beyond 1"));
             value = deg_from_rad(std::acos(value));
             break;
         case Function::asin:
-            if (!(std::abs(value) <= 1.0)) return impossible("ASIN of a value beyond 1");
+            if (!(std::abs(value) <= 1.0)) return impossible(phrase("ASIN of a value beyond 1"));
             value = deg_from_rad(std::asin(value));
             break;
         case Function::cos:
@@ -228,7 +230,7 @@ bool ExpressionReader::apply(Function function, std::size_t index, double& value
             value = std::ceil(value);
             break;
         case Function::ln:
-            if (!(value > 0.0)) return impossible("LN of a value that is not above 0");
+            if (!(value > 0.0)) return impossible(phrase("LN of a value that is not above 0"));
             value = std::log(value);
             break;
         case Function::round:
@@ -238,7 +240,7 @@ bool ExpressionReader::apply(Function function, std::size_t index, double& value
             value = std::sin(rad_from_deg(value));
             break;
         case Function::sqrt:
-            if (value < 0.0) return impossible("SQRT of a value below 0");
+            if (value < 0.0) return impossible(phrase("SQRT of a value below 0"));
             value = std::sqrt(value);
             break;
         case Function::tan:

@@ -29,7 +29,7 @@ char small(char byte) noexcept {
 
 }  // namespace
 
-bool ExpressionReader::fail(std::size_t index, ProblemCode code, std::string what) {
+bool ExpressionReader::fail(std::size_t index, ProblemCode code, Phrase what) {
     fault_ = LineFault{index, code, std::move(what)};
     return false;
 }
@@ -64,8 +64,9 @@ bool ExpressionReader::starts_number() noexcept {
 }
 
 bool ExpressionReader::read_value(double& value) {
-    if (is_at_end()) return fail(at_, ProblemCode::number_missing, "a value is missing");
-    if (++depth_ > kMostLevels) return fail(at_, ProblemCode::too_deep, "brackets and signs in 64 levels");
+    if (is_at_end()) return fail(at_, ProblemCode::number_missing, phrase("a value is missing"));
+    if (++depth_ > kMostLevels)
+        return fail(at_, ProblemCode::too_deep, phrase("brackets and signs in 64 levels"));
     const char byte = large(line_[at_]);
     bool is_read = false;
     if (byte == '#') {
@@ -87,12 +88,13 @@ bool ExpressionReader::read_plain(double& value) {
     const NumberReading number = read_number(line_, at_);
     if (number.has_digits) {
         at_ = number.end;
-        if (!number.value) return fail(begin, ProblemCode::bad_number, "a number of more than 1000000000");
+        if (!number.value)
+            return fail(begin, ProblemCode::bad_number, phrase("a number of more than 1000000000"));
         value = *number.value;
         return true;
     }
     if (line_[at_] != '-' && line_[at_] != '+')
-        return fail(at_, ProblemCode::number_missing, "a value is missing");
+        return fail(at_, ProblemCode::number_missing, phrase("a value is missing"));
     const bool is_negative = line_[at_++] == '-';
     if (!read_value(value)) return false;
     if (is_negative) value = -value;
@@ -101,25 +103,24 @@ bool ExpressionReader::read_plain(double& value) {
 
 bool ExpressionReader::read_bracketed(double& value) {
     const std::size_t begin = at_;
-    if (!take("[")) return fail(at_, ProblemCode::bracket_missing, "[ is missing");
+    if (!take("[")) return fail(at_, ProblemCode::bracket_missing, phrase("[ is missing"));
     if (!read_operations(kWeakest, value)) return false;
     if (take("]")) return keep_finite(begin, value);
-    if (is_at_end()) return fail(begin, ProblemCode::bracket_missing, "[ has no ]");
-    return fail(at_, ProblemCode::expression_wrong,
-                "'" + std::string{line_[at_]} + "' is neither an operator nor ]");
+    if (is_at_end()) return fail(begin, ProblemCode::bracket_missing, phrase("[ has no ]"));
+    return fail(at_, ProblemCode::expression_wrong, phrase("'%1' is neither an operator nor ]", line_[at_]));
 }
 
 bool ExpressionReader::read_name(std::string& name) {
     const std::size_t begin = at_;
     name.clear();
-    if (!take("<")) return fail(at_, ProblemCode::bracket_missing, "< is missing");
+    if (!take("<")) return fail(at_, ProblemCode::bracket_missing, phrase("< is missing"));
     while (at_ < line_.size() && line_[at_] != '>') {
         if (!is_blank_byte(line_[at_])) name += small(line_[at_]);
         ++at_;
     }
-    if (at_ >= line_.size()) return fail(begin, ProblemCode::bracket_missing, "< has no >");
+    if (at_ >= line_.size()) return fail(begin, ProblemCode::bracket_missing, phrase("< has no >"));
     ++at_;
-    return !name.empty() || fail(begin, ProblemCode::parameter_range, "a name without letters");
+    return !name.empty() || fail(begin, ProblemCode::parameter_range, phrase("a name without letters"));
 }
 
 bool ExpressionReader::read_key(ParameterKey& key) {
@@ -130,7 +131,7 @@ bool ExpressionReader::read_key(ParameterKey& key) {
     if (is_judging_) number = std::min(std::max(number, 1.0), 1.0 * kLastParameter);
     const double nearest = std::round(number);
     if (!(std::abs(number - nearest) < kEqual) || nearest < 1.0 || nearest > kLastParameter)
-        return fail(begin, ProblemCode::parameter_range, "no parameter has this number");
+        return fail(begin, ProblemCode::parameter_range, phrase("no parameter has this number"));
     key.name.clear();
     key.number = static_cast<std::uint32_t>(nearest);
     return true;
@@ -149,7 +150,7 @@ bool ExpressionReader::read_parameter(double& value) {
 
 bool ExpressionReader::keep_finite(std::size_t index, double value) {
     if (is_judging_ || std::isfinite(value)) return true;
-    return fail(index, ProblemCode::value_impossible, "the value is infinite, or none at all");
+    return fail(index, ProblemCode::value_impossible, phrase("the value is infinite, or none at all"));
 }
 
 }  // namespace psicarve::gcode

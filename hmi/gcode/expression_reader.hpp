@@ -16,7 +16,7 @@ namespace psicarve::gcode {
 struct LineFault {
     std::size_t index = 0;
     ProblemCode code = ProblemCode::expression_wrong;
-    std::string what;
+    Phrase what;
 };
 
 /// Reads values of one line, as RS274/NGC and LinuxCNC 2.9 have them: numbers, parameters, [expressions] and
@@ -55,7 +55,7 @@ private:
     struct OperatorEntry;
     static const OperatorEntry kOperators[];
 
-    bool fail(std::size_t index, ProblemCode code, std::string what);
+    bool fail(std::size_t index, ProblemCode code, Phrase what);
     void skip_blanks() noexcept;
     bool read_plain(double& value);
     bool read_parameter(double& value);

@@ -109,19 +109,20 @@ FlowControl::Fault FlowControl::enter_name(const std::string& name, const Subrou
     if (known == subroutines_.end()) {
         if (subroutines_.size() >= kMostSubroutines)
             return Problem{subroutine.line, column, ProblemCode::parameter_many,
-                           "more than 10000 subroutines"};
+                           phrase("more than 10000 subroutines")};
         subroutines_.emplace(name, subroutine);
         return std::nullopt;
     }
     if (known->second.line == subroutine.line) return std::nullopt;
     return Problem{subroutine.line, column, ProblemCode::sub_twice,
-                   "o" + name + " is a subroutine in line " + std::to_string(known->second.line)};
+                   phrase("o%1 is a subroutine in line %2", name, std::to_string(known->second.line))};
 }
 
 FlowControl::Fault FlowControl::define(OWordReader& reader, const OWord& word) {
     if (auto wrong = reader.read_arguments(word, true, values_)) return wrong;
     if (!frames_.empty() || !calls_.empty())
-        return reader.problem(word.begin, ProblemCode::o_word_place, "a subroutine within another block");
+        return reader.problem(word.begin, ProblemCode::o_word_place,
+                              phrase("a subroutine within another block"));
     const auto column = static_cast<std::uint32_t>(word.begin + 1);
     if (auto wrong = enter_name(word.name, {lines_.place(), lines_.number(), false}, column)) return wrong;
     Frame frame;
@@ -132,7 +133,7 @@ FlowControl::Fault FlowControl::define(OWordReader& reader, const OWord& word) {
 FlowControl::Fault FlowControl::enter_label(const OWordReader& reader, const OWord& word) {
     if (frames_.size() > first_frame())
         return reader.problem(word.begin, ProblemCode::o_word_place,
-                              "a number alone begins a subroutine for M98, within another block");
+                              phrase("a number alone begins a subroutine for M98, within another block"));
     return enter_name(word.name, {lines_.place(), lines_.number(), true},
                       static_cast<std::uint32_t>(word.begin + 1));
 }
@@ -153,7 +154,8 @@ FlowControl::Outcome FlowControl::give_back(OWordReader& reader, const OWord& wo
     if (auto wrong = reader.read_arguments(word, !is_reached, values_)) return wrong;
     const std::size_t first = first_frame();
     if (frames_.size() == first || frames_[first].kind != OKeyword::sub)
-        return Fault{reader.problem(word.begin, ProblemCode::o_word_place, "return outside a subroutine")};
+        return Fault{
+            reader.problem(word.begin, ProblemCode::o_word_place, phrase("return outside a subroutine"))};
     if (!is_reached) return Fault{};
     return leave_call(values_.empty() ? std::nullopt : std::optional{values_.front()});
 }
@@ -171,17 +173,18 @@ FlowControl::Outcome FlowControl::call_by_name(OWordReader& reader, const OWord&
     const bool is_reached = is_running();
     if (auto wrong = reader.read_arguments(word, !is_reached, values_)) return wrong;
     if (!is_reached) return Fault{};
-    const Problem missing =
-        reader.problem(word.begin, ProblemCode::sub_missing, "the program has no subroutine o" + word.name);
-    const Problem deep = reader.problem(word.begin, ProblemCode::too_deep, "100 calls within each other");
     const Subroutine* found = nullptr;
     Call entered;
     entered.line = lines_.number();
     entered.column = static_cast<std::uint32_t>(word.begin + 1);
     auto searched = find(word.name, found);
     if (!searched || *searched) return searched;
-    if (found == nullptr || found->is_by_number) return Fault{missing};
-    if (calls_.size() >= kMostCalls) return Fault{deep};
+    if (found == nullptr || found->is_by_number)
+        return Fault{reader.problem(word.begin, ProblemCode::sub_missing,
+                                    phrase("the program has no subroutine %1", "o" + word.name))};
+    if (calls_.size() >= kMostCalls)
+        return Fault{
+            reader.problem(word.begin, ProblemCode::too_deep, phrase("100 calls within each other"))};
     entered.back = lines_.place();
     entered.body = found->body;
     entered.first_frame = frames_.size();
@@ -201,20 +204,22 @@ FlowControl::Outcome FlowControl::call_by_name(OWordReader& reader, const OWord&
 
 FlowControl::Outcome FlowControl::call(const CallByNumber& wanted) {
     has_begun_ = true;
-    const auto fault = [&](ProblemCode code, const std::string& what) {
-        return Fault{Problem{wanted.line, wanted.column, code, what}};
+    const auto fault = [&](ProblemCode code, Phrase what) {
+        return Fault{Problem{wanted.line, wanted.column, code, std::move(what)}};
     };
     const std::string name = std::to_string(wanted.number);
     const Subroutine* found = nullptr;
     auto searched = find(name, found);
     if (!searched || *searched) return searched;
-    if (found == nullptr) return fault(ProblemCode::sub_missing, "the program has no subroutine O" + name);
+    if (found == nullptr)
+        return fault(ProblemCode::sub_missing, phrase("the program has no subroutine %1", "O" + name));
     if (!found->is_by_number)
-        return fault(ProblemCode::sub_missing, "o" + name + " sub is called by o" + name + " call");
+        return fault(ProblemCode::sub_missing, phrase("o%1 sub is called by o%1 call", name));
     if (wanted.times == 0) return Fault{};
-    if (calls_.size() >= kMostCalls) return fault(ProblemCode::too_deep, "100 calls within each other");
+    if (calls_.size() >= kMostCalls)
+        return fault(ProblemCode::too_deep, phrase("100 calls within each other"));
     if (!lines_.can_go_to(found->body))
-        return fault(ProblemCode::text_too_long, "O" + name + " has gone by in the stream");
+        return fault(ProblemCode::text_too_long, phrase("O%1 has gone by in the stream", name));
     calls_.push_back(
         {lines_.place(), found->body, frames_.size(), true, wanted.times - 1, wanted.line, wanted.column});
     parameters_.enter_shared();
@@ -225,12 +230,12 @@ FlowControl::Outcome FlowControl::call(const CallByNumber& wanted) {
 FlowControl::Outcome FlowControl::go_back(std::uint64_t line, std::uint32_t column) {
     has_begun_ = true;
     if (calls_.empty())
-        return Fault{
-            Problem{line, column, ProblemCode::endless, "M99 in the main program begins it again for ever"}};
+        return Fault{Problem{line, column, ProblemCode::endless,
+                             phrase("M99 in the main program begins it again for ever")}};
     Call& call = calls_.back();
     if (!call.is_by_number)
         return Fault{Problem{line, column, ProblemCode::o_word_place,
-                             "M99 ends what M98 has called, and endsub what call has"}};
+                             phrase("M99 ends what M98 has called, and endsub what call has")}};
     if (call.times_left == 0) return leave_call(std::nullopt);
     --call.times_left;
     pop_to(call.first_frame);

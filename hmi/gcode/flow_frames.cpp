@@ -43,19 +43,18 @@ void FlowControl::pop_to(std::size_t count) {
 }
 
 FlowControl::Fault FlowControl::match(const OWordReader& reader, const OWord& word, OKeyword kind) const {
-    const std::string text{name_of(word.keyword)};
     if (frames_.size() == first_frame() || frames_.back().kind != kind)
         return reader.problem(word.begin, ProblemCode::o_word_unmatched,
-                              text + " without " + std::string{name_of(kind)} + " before it");
+                              phrase("%1 without %2 before it", name_of(word.keyword), name_of(kind)));
     if (is_same(frames_.back().name, word.name)) return std::nullopt;
     return reader.problem(word.begin, ProblemCode::o_word_unmatched,
-                          text + " of " + written(word.name) + " within " + std::string{name_of(kind)} +
-                              " of " + written(frames_.back().name));
+                          phrase("%1 of %2 within %3 of %4", name_of(word.keyword), written(word.name),
+                                 name_of(kind), written(frames_.back().name)));
 }
 
 FlowControl::Fault FlowControl::begin_block(OWordReader& reader, const OWord& word, Frame frame) {
     if (frames_.size() - first_frame() >= kMostFrames)
-        return reader.problem(word.begin, ProblemCode::too_deep, "100 blocks within each other");
+        return reader.problem(word.begin, ProblemCode::too_deep, phrase("100 blocks within each other"));
     frame.kind = word.keyword;
     frame.name = word.name;
     frame.line = lines_.number();
@@ -87,7 +86,7 @@ FlowControl::Fault FlowControl::branch(OWordReader& reader, const OWord& word) {
     }
     if (frame.is_last)
         return reader.problem(word.begin, ProblemCode::o_word_unmatched,
-                              std::string{name_of(word.keyword)} + " behind else");
+                              phrase("%1 behind else", name_of(word.keyword)));
     frame.is_last = word.keyword == OKeyword::else_so;
     frame.is_running = is_wanted && (frame.is_last || values_.front() != 0.0);
     frame.is_over = frame.is_over || frame.is_running;
@@ -106,7 +105,8 @@ FlowControl::Fault FlowControl::begin_loop(OWordReader& reader, const OWord& wor
     if (word.keyword == OKeyword::repeat && is_reached) {
         const double passes = std::round(values_.front());
         if (passes > kMostPasses)
-            return reader.problem(word.arguments, ProblemCode::out_of_range, "more than 1000000000 passes");
+            return reader.problem(word.arguments, ProblemCode::out_of_range,
+                                  phrase("more than 1000000000 passes"));
         frame.is_running = passes >= 1.0;
         if (frame.is_running) frame.passes_left = static_cast<std::uint64_t>(passes) - 1;
     }
@@ -169,18 +169,18 @@ FlowControl::Fault FlowControl::leave_pass(OWordReader& reader, const OWord& wor
         return std::nullopt;
     }
     return reader.problem(word.begin, ProblemCode::o_word_unmatched,
-                          std::string{name_of(word.keyword)} + " outside the loop " + written(word.name));
+                          phrase("%1 outside the loop %2", name_of(word.keyword), written(word.name)));
 }
 
 FlowControl::Fault FlowControl::unclosed() const {
     if (frames_.size() > first_frame()) {
         const Frame& frame = frames_.back();
         return Problem{frame.line, frame.column, ProblemCode::o_word_open,
-                       std::string{name_of(frame.kind)} + " of " + written(frame.name) + " has no end"};
+                       phrase("%1 of %2 has no end", name_of(frame.kind), written(frame.name))};
     }
     if (calls_.empty()) return std::nullopt;
     return Problem{calls_.back().line, calls_.back().column, ProblemCode::o_word_open,
-                   "the subroutine that M98 calls has no M99"};
+                   phrase("the subroutine that M98 calls has no M99")};
 }
 
 }  // namespace psicarve::gcode

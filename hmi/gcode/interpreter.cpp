@@ -130,7 +130,7 @@ void Interpreter::end_without_block(std::uint64_t line) {
     has_ended_ = true;
 }
 
-Problem Interpreter::fault(std::uint32_t column, ProblemCode code, std::string what) const {
+Problem Interpreter::fault(std::uint32_t column, ProblemCode code, Phrase what) const {
     return words_.problem(column, code, std::move(what));
 }
 
@@ -156,11 +156,11 @@ Interpreter::Fault Interpreter::judge_motion() {
         // G28 and its like take axis words, given or not.
         if (motion_to_be_ != kNoCode && (has_axes || !is_length))
             return fault(words_.column(CodeGroup::motion), ProblemCode::claimed_twice,
-                         code_name('G', motion) + " and " + code_name('G', words_.code(claimant)) +
-                             " both use axis words");
+                         phrase("%1 and %2 both use axis words", code_name('G', motion),
+                                code_name('G', words_.code(claimant))));
         if (!has_axes && (is_length || once == 920))
             return fault(words_.column(claimant), ProblemCode::axes_missing,
-                         code_name('G', words_.code(claimant)) + " has no axis word");
+                         phrase("%1 has no axis word", code_name('G', words_.code(claimant))));
         words_.take_axes();
         motion_to_be_ = kNoCode;
     } else if (motion == kNoCode && (has_axes || has_centre_for_arc())) {
@@ -171,10 +171,11 @@ Interpreter::Fault Interpreter::judge_motion() {
     if (once != 530 || drawing_.is_mode_doubtful) return std::nullopt;
     if (motion_to_be_ != 0 && motion_to_be_ != 10 && !is_motion_doubtful_)
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_motion,
-                     "G53 without a straight motion");
+                     phrase("G53 without a straight motion"));
     const int distance = words_.code(CodeGroup::distance);
     if (distance == 910 || (distance == kNoCode && modes_.is_incremental && !is_distance_doubtful_))
-        return fault(words_.column(CodeGroup::once), ProblemCode::g53_incremental, "G53 while G91 holds");
+        return fault(words_.column(CodeGroup::once), ProblemCode::g53_incremental,
+                     phrase("G53 while G91 holds"));
     return std::nullopt;
 }
 
@@ -207,7 +208,7 @@ Interpreter::Fault Interpreter::judge_claims() {
         claims += claims_p ? 1 : 0;
     if (claims > 0) words_.take('P');
     if (claims > 1 && words_.has('P'))
-        return fault(words_.column('P'), ProblemCode::claimed_twice, "two codes of the block use P");
+        return fault(words_.column('P'), ProblemCode::claimed_twice, phrase("two codes of the block use P"));
     if ((is_motion_doubtful_ && words_.code(CodeGroup::motion) == kNoCode) || drawing_.is_mode_doubtful)
         for (const char letter : {'I', 'J', 'K', 'R', 'P', 'Q', 'L'}) words_.take(letter);
     return std::nullopt;
@@ -237,7 +238,8 @@ Interpreter::Fault Interpreter::execute() {
     if (auto wrong = do_once()) return wrong;
     if (auto wrong = move()) return wrong;
     if (is_too_far_)
-        return fault(words_.axis_column(), ProblemCode::out_of_range, "a place beyond 1 000 000 000 mm");
+        return fault(words_.axis_column(), ProblemCode::out_of_range,
+                     phrase("a place beyond 1 000 000 000 mm"));
     return stop();
 }
 

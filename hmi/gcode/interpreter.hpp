@@ -174,7 +174,7 @@ private:
     void rapid_to(const Position& program);
     void feed_to(const Position& program);
     void refresh_program() noexcept;
-    Problem fault(std::uint32_t column, ProblemCode code, std::string what) const;
+    Problem fault(std::uint32_t column, ProblemCode code, Phrase what) const;
     bool is_cycle(int motion) const noexcept { return motion >= 810; }
 
     InterpreterOptions options_;

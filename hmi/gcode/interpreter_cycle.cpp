@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "hmi/gcode/interpreter.hpp"
 
@@ -40,25 +41,28 @@ Interpreter::Fault Interpreter::read_cycle_words() {
     const std::string name = code_name('G', motion_to_be_);
     const char across = kAxisLetters[modes_.plane->across];
     const double scale = modes_.mm_per_unit;
-    const auto missing = [&](const std::string& what) {
-        return fault(column, ProblemCode::word_missing, name + " has no " + what);
+    const auto missing = [&](Phrase what) {
+        return fault(column, ProblemCode::word_missing, std::move(what));
     };
-    if (!goes_on && !words_.has('R')) return missing("R");
-    if (!goes_on && !words_.has(across)) return missing(std::string{across} + ", the depth");
-    if (!goes_on && motion_to_be_ == 820 && !words_.has('P')) return missing("P, the dwell");
-    if (!goes_on && motion_to_be_ == 830 && !words_.has('Q')) return missing("Q, the depth of a peck");
+    if (!goes_on && !words_.has('R')) return missing(phrase("%1 has no R", name));
+    if (!goes_on && !words_.has(across)) return missing(phrase("%1 has no %2, the depth", name, across));
+    if (!goes_on && motion_to_be_ == 820 && !words_.has('P'))
+        return missing(phrase("%1 has no P, the dwell", name));
+    if (!goes_on && motion_to_be_ == 830 && !words_.has('Q'))
+        return missing(phrase("%1 has no Q, the depth of a peck", name));
     if (words_.has('R')) cycle_.clear_mm = words_.value('R') * scale;
     if (words_.has(across)) cycle_.depth_mm = words_.value(across) * scale;
     if (words_.has('P')) cycle_.dwell_s = words_.value('P');
     if (words_.has('Q')) cycle_.peck_mm = words_.value('Q') * scale;
     if (motion_to_be_ == 820 && cycle_.dwell_s < 0.0)
         return fault(words_.has('P') ? words_.column('P') : column, ProblemCode::out_of_range,
-                     "a dwell of less than 0 s");
+                     phrase("a dwell of less than 0 s"));
     if (motion_to_be_ == 830 && cycle_.peck_mm <= 0.0)
         return fault(words_.has('Q') ? words_.column('Q') : column, ProblemCode::out_of_range,
-                     "a peck is more than 0 deep");
+                     phrase("a peck is more than 0 deep"));
     if (words_.has('L') && (words_.value('L') < 1.0 || words_.value('L') > kMostHoles))
-        return fault(words_.column('L'), ProblemCode::out_of_range, "a cycle is done 1 to 100000 times");
+        return fault(words_.column('L'), ProblemCode::out_of_range,
+                     phrase("a cycle is done 1 to 100000 times"));
     return std::nullopt;
 }
 
@@ -66,20 +70,21 @@ Interpreter::Fault Interpreter::drill() {
     const Plane& plane = *modes_.plane;
     const std::uint32_t column = words_.axis_column();
     if (modes_.feed_mode == FeedMode::inverse_time)
-        return fault(column, ProblemCode::cycle_feed_mode, "a cycle while G93 holds");
+        return fault(column, ProblemCode::cycle_feed_mode, phrase("a cycle while G93 holds"));
     if ((words_.axes() & kOtherLetters) != 0)
-        return fault(column, ProblemCode::cycle_rotary, "a cycle moves X, Y and Z alone");
+        return fault(column, ProblemCode::cycle_rotary, phrase("a cycle moves X, Y and Z alone"));
     if (auto wrong = read_cycle_words()) return wrong;
     if (auto wrong = check_feed()) return wrong;
     const bool steps = modes_.is_incremental;
     const double clear_mm = steps ? cycle_.initial_mm + cycle_.clear_mm : cycle_.clear_mm;
     const double depth_mm = steps ? clear_mm + cycle_.depth_mm : cycle_.depth_mm;
     if (clear_mm < depth_mm && !are_places_doubtful())
-        return fault(column, ProblemCode::cycle_depth, "R is below the depth of the hole");
+        return fault(column, ProblemCode::cycle_depth, phrase("R is below the depth of the hole"));
     const double holes = words_.has('L') ? words_.value('L') : 1.0;
     const double pecks = motion_to_be_ == 830 ? (clear_mm - depth_mm) / cycle_.peck_mm : 1.0;
     if (holes * pecks > kMostPecks)
-        return fault(column, ProblemCode::out_of_range, "a block of more than 100000 holes and pecks");
+        return fault(column, ProblemCode::out_of_range,
+                     phrase("a block of more than 100000 holes and pecks"));
     const double retract_mm = modes_.retracts_to_start ? std::max(cycle_.initial_mm, clear_mm) : clear_mm;
     Position at = program_;
     if (!steps) note_places(mask_of(plane.across), false);

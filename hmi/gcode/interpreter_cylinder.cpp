@@ -63,7 +63,8 @@ Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, co
     const double tip_mm = greatest_tip_radius_mm(options_.drawing, machine_, offsets_.to_machine(end));
     const ArcChords chords{arc, chord_mm() / std::max(1.0, tip_mm / drawing_.radius_mm)};
     if (chords.count() > kMostDrawnChords)
-        return fault(words_.axis_column(), ProblemCode::out_of_range, "an arc of more than 100000 chords");
+        return fault(words_.axis_column(), ProblemCode::out_of_range,
+                     phrase("an arc of more than 100000 chords"));
     const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
     const AxisMask axes = static_cast<AxisMask>(mask_of(arc.plane->first) | mask_of(arc.plane->second));
     const AxisMask before = placed_;

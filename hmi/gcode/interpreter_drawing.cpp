@@ -3,7 +3,6 @@
 // What is drawn becomes ways that are straight for the axes, close enough that they and their corners keep
 // the tolerance.
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -36,30 +35,32 @@ Interpreter::Fault Interpreter::judge_drawing() {
         const auto which = static_cast<CodeGroup>(group);
         if (which != CodeGroup::drawing && words_.has(which))
             return fault(words_.column(which), ProblemCode::drawing_beside,
-                         "another code stands beside " + name);
+                         phrase("another code stands beside %1", name));
     }
     const AxisMask own = code == 71 ? mask_of(kTurnLetter) : AxisMask{0};
     if ((words_.axes() & ~own) != 0)
-        return fault(words_.axis_column(), ProblemCode::drawing_beside, "an axis word stands beside " + name);
+        return fault(words_.axis_column(), ProblemCode::drawing_beside,
+                     phrase("an axis word stands beside %1", name));
     for (const char letter : {'F', 'S', 'T'})
         if (words_.has(letter))
             return fault(words_.column(letter), ProblemCode::drawing_beside,
-                         std::string{letter} + " stands beside " + name);
+                         phrase("%1 stands beside %2", letter, name));
     words_.take_axes();
     if (code != 71) return words_.left_over();
     if (!words_.has('C'))
-        return fault(column, ProblemCode::word_missing, "G7.1 has no C, the cylinder's radius");
+        return fault(column, ProblemCode::word_missing, phrase("G7.1 has no C, the cylinder's radius"));
     if (words_.value('C') < 0.0 && !are_values_doubtful_)
-        return fault(words_.column('C'), ProblemCode::out_of_range, "a cylinder's radius of less than 0");
+        return fault(words_.column('C'), ProblemCode::out_of_range,
+                     phrase("a cylinder's radius of less than 0"));
     return words_.left_over();
 }
 
 /// What would move the drawing's zero or its plane, or leaves it.
 Interpreter::Fault Interpreter::judge_drawing_mode() {
     const auto refused = [&](CodeGroup group) {
-        return fault(words_.column(group), ProblemCode::drawing_code,
-                     code_name('G', words_.code(group)) + " while " + std::string{mode_name(drawing_.mode)} +
-                         " holds");
+        return fault(
+            words_.column(group), ProblemCode::drawing_code,
+            phrase("%1 while %2 holds", code_name('G', words_.code(group)), mode_name(drawing_.mode)));
     };
     for (const CodeGroup group : {CodeGroup::plane, CodeGroup::length, CodeGroup::system})
         if (words_.has(group)) return refused(group);
@@ -82,7 +83,7 @@ Interpreter::Fault Interpreter::set_drawing() {
     const bool holds_other = !is_drawing(DrawnMode::none) && (!ends || !is_drawing(mode));
     if (holds_other)
         return fault(words_.column(CodeGroup::drawing), ProblemCode::drawing_code,
-                     code_name('G', code) + " while " + std::string{mode_name(drawing_.mode)} + " holds");
+                     phrase("%1 while %2 holds", code_name('G', code), mode_name(drawing_.mode)));
     if (!ends) return begin_drawing(mode);
     if (!is_drawing(DrawnMode::none)) end_drawing();
     return std::nullopt;
@@ -90,7 +91,7 @@ Interpreter::Fault Interpreter::set_drawing() {
 
 Interpreter::Fault Interpreter::begin_drawing(DrawnMode mode) {
     const std::uint32_t column = words_.column(CodeGroup::drawing);
-    const std::string name{mode_name(mode)};
+    const std::string_view name = mode_name(mode);
     // Also where something is wrong with it: what follows is written for it.
     drawing_.mode = mode;
     drawing_.plane_before = modes_.plane;
@@ -99,9 +100,9 @@ Interpreter::Fault Interpreter::begin_drawing(DrawnMode mode) {
     modes_.plane = mode == DrawnMode::polar ? &kCrossSection
                                             : (options_.drawing.is_y_on_z ? &kCylinderZc : &kCylinderCy);
     if (is_cycle(modes_.motion) && !is_motion_doubtful_)
-        return fault(column, ProblemCode::drawing_begin, name + " while a cycle holds");
+        return fault(column, ProblemCode::drawing_begin, phrase("%1 while a cycle holds", name));
     if (offsets_.is_turned())
-        return fault(column, ProblemCode::drawing_begin, name + " in a system that is rotated");
+        return fault(column, ProblemCode::drawing_begin, phrase("%1 in a system that is rotated", name));
     return mode == DrawnMode::polar && !drawing_.is_doubtful ? begin_polar() : std::nullopt;
 }
 
@@ -109,22 +110,25 @@ Interpreter::Fault Interpreter::begin_polar() {
     const std::uint32_t column = words_.column(CodeGroup::drawing);
     if ((placed_ & kDrawnLetters) != kDrawnLetters || (unknown_zeros() & kDrawnLetters) != 0)
         return fault(column, ProblemCode::drawing_begin,
-                     "G12.1, and the program has not said yet where X and C are");
+                     phrase("G12.1, and the program has not said yet where X and C are"));
     const double zero_mm = offsets_.origin(offsets_.active())[kDepthLetter] +
                            (offsets_.is_shifted() ? offsets_.kept_shift()[kDepthLetter] : 0.0);
     const DrawingMachine& machine = options_.drawing;
     const double radius_mm = program_[kDepthLetter] + machine.tip_mm[0];
     const double apart_mm = machine.tip_mm[1] - machine.tip_mm[0];
-    char text[120];
-    std::snprintf(text, sizeof text, "G12.1, and the tip of r2, which follows, stands %.4f mm further %s",
-                  std::abs(apart_mm), apart_mm < 0.0 ? "in" : "out");
     if (machine.follows && std::abs(apart_mm) > machine.half_pulse_mm[1])
-        return fault(column, ProblemCode::drawing_begin, text);
-    std::snprintf(text, sizeof text, "G12.1, and X 0 lies %.4f mm off the axis", zero_mm);
-    if (std::abs(zero_mm) > kSameZeroMm) return fault(column, ProblemCode::drawing_begin, text);
-    std::snprintf(text, sizeof text, "G12.1 with the tip %.4f mm from the axis, and there is no direction",
-                  radius_mm);
-    if (!(radius_mm >= kLeastPolarMm)) return fault(column, ProblemCode::drawing_begin, text);
+        return fault(
+            column, ProblemCode::drawing_begin,
+            phrase(apart_mm < 0.0 ? "G12.1, and the tip of r2, which follows, stands %1 mm further in"
+                                  : "G12.1, and the tip of r2, which follows, stands %1 mm further out",
+                   mm_text(std::abs(apart_mm))));
+    if (std::abs(zero_mm) > kSameZeroMm)
+        return fault(column, ProblemCode::drawing_begin,
+                     phrase("G12.1, and X 0 lies %1 mm off the axis", mm_text(zero_mm)));
+    if (!(radius_mm >= kLeastPolarMm))
+        return fault(
+            column, ProblemCode::drawing_begin,
+            phrase("G12.1 with the tip %1 mm from the axis, and there is no direction", mm_text(radius_mm)));
     const double angle_rad = rad_from_deg(program_[kTurnLetter]);
     drawing_.place = {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
     return std::nullopt;
@@ -163,7 +167,7 @@ double Interpreter::moved_mm(const Position& to, AxisMask letters) const noexcep
 Interpreter::Fault Interpreter::draw() {
     if (is_cycle(motion_to_be_))
         return fault(words_.axis_column(), ProblemCode::drawing_code,
-                     "a cycle while " + std::string{mode_name(drawing_.mode)} + " holds");
+                     phrase("a cycle while %1 holds", mode_name(drawing_.mode)));
     if (motion_to_be_ != 0)
         if (auto wrong = check_feed()) return wrong;
     return is_drawing(DrawnMode::polar) ? draw_in_polar() : draw_on_cylinder();

@@ -52,7 +52,7 @@ Interpreter::Fault Interpreter::move() {
     if (is_cycle(motion_to_be_)) {
         if (words_.axes() == 0)
             return fault(words_.column(CodeGroup::motion), ProblemCode::axes_missing,
-                         code_name('G', motion_to_be_) + " has no axis word");
+                         phrase("%1 has no axis word", code_name('G', motion_to_be_)));
         // The words of one cycle do not hold for another.
         if (!is_cycle(before)) cycle_.initial_mm = program_[modes_.plane->across];
         modes_.motion = before;
@@ -113,12 +113,12 @@ Interpreter::Fault Interpreter::check_feed() {
     const std::uint32_t column = words_.axis_column();
     if (modes_.feed_mode == FeedMode::inverse_time) {
         if (words_.has('F') && modes_.feed_number > 0.0) return std::nullopt;
-        return fault(column, ProblemCode::inverse_feed_missing, "a move under G93 without F");
+        return fault(column, ProblemCode::inverse_feed_missing, phrase("a move under G93 without F"));
     }
     if (modes_.feed_number <= 0.0)
-        return fault(column, ProblemCode::feed_missing, "a move that cuts, and the feed is 0");
+        return fault(column, ProblemCode::feed_missing, phrase("a move that cuts, and the feed is 0"));
     if (modes_.feed_mode == FeedMode::per_revolution && modes_.spindle_rpm <= 0.0)
-        return fault(column, ProblemCode::no_spindle_speed, "a move under G95, and no spindle speed");
+        return fault(column, ProblemCode::no_spindle_speed, phrase("a move under G95, and no spindle speed"));
     return std::nullopt;
 }
 
@@ -200,7 +200,7 @@ Interpreter::Fault Interpreter::read_centre_words(const PlanePoint& start, Plane
     if (modes_.has_absolute_centres && !(has_first && has_second))
         return fault(
             words_.first_column(), ProblemCode::word_missing,
-            std::string{"under G90.1 an arc has both "} + plane.first_centre + " and " + plane.second_centre);
+            phrase("under G90.1 an arc has both %1 and %2", plane.first_centre, plane.second_centre));
     const double scale = modes_.mm_per_unit;
     const double first_mm = has_first ? words_.value(plane.first_centre) * scale : 0.0;
     const double second_mm = has_second ? words_.value(plane.second_centre) * scale : 0.0;
@@ -216,11 +216,12 @@ Interpreter::Fault Interpreter::find_centre(const PlanePoint& start, const Plane
     const std::uint32_t column = words_.axis_column();
     if (words_.has(plane.other_centre))
         return fault(words_.column(plane.other_centre), ProblemCode::arc_words_mixed,
-                     std::string{plane.other_centre} + " is no word of an arc in " + std::string{plane.name});
+                     phrase("%1 is no word of an arc in %2", plane.other_centre, plane.name));
     if (words_.has('R') && has_centre)
-        return fault(words_.column('R'), ProblemCode::arc_words_mixed, "the arc has a centre and a radius");
+        return fault(words_.column('R'), ProblemCode::arc_words_mixed,
+                     phrase("the arc has a centre and a radius"));
     if (!words_.has('R') && !has_centre)
-        return fault(column, ProblemCode::arc_centre_missing, "the arc has no centre and no radius");
+        return fault(column, ProblemCode::arc_centre_missing, phrase("the arc has no centre and no radius"));
     const AxisMask axes = static_cast<AxisMask>(mask_of(plane.first) | mask_of(plane.second));
     std::optional<ArcFault> wrong;
     if (words_.has('R')) {
@@ -239,9 +240,9 @@ Interpreter::Fault Interpreter::read_turns(int& turns) const {
     if (!words_.has('P')) return std::nullopt;
     const double value = words_.value('P');
     if (value != std::floor(value))
-        return fault(words_.column('P'), ProblemCode::not_whole, "P of an arc counts its turns");
+        return fault(words_.column('P'), ProblemCode::not_whole, phrase("P of an arc counts its turns"));
     if (value < 1.0 || value > kMostTurns)
-        return fault(words_.column('P'), ProblemCode::out_of_range, "an arc has 1 to 1000000 turns");
+        return fault(words_.column('P'), ProblemCode::out_of_range, phrase("an arc has 1 to 1000000 turns"));
     turns = static_cast<int>(value);
     return std::nullopt;
 }
@@ -251,7 +252,7 @@ Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
     if (auto wrong = check_feed()) return wrong;
     if (offsets_.is_turned() && plane.across != 2)
         return fault(words_.axis_column(), ProblemCode::arc_rotated,
-                     "an arc in " + std::string{plane.name} + " of a system that is rotated");
+                     phrase("an arc in %1 of a system that is rotated", plane.name));
     const Position end = target();
     const PlanePoint from = in_plane(program_, plane);
     const PlanePoint to = in_plane(end, plane);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 #include "hmi/gcode/interpreter.hpp"
 #include "shared/base/units.hpp"
@@ -79,18 +79,16 @@ Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
     const bool is_of_second = machine.follows && !comes_into_core(0) && comes_into_core(1);
     if (has_direction && !is_of_second && !comes_into_core(0)) return std::nullopt;
     const PlanePoint there = way.at(way.nearest_share());
-    char text[200];
-    if (has_direction) {
-        std::snprintf(
-            text, sizeof text,
-            "at X %.4f C %.4f mm the tip of %s comes to %.4f mm, and the core that it must not reach "
-            "ends at %.4f mm",
-            there.first_mm, there.second_mm, is_of_second ? "r2" : "r1", least_mm + tool_mm, machine.core_mm);
-    } else {
-        std::snprintf(text, sizeof text, "at X %.4f C %.4f mm the way passes the axis", there.first_mm,
-                      there.second_mm);
-    }
-    return fault(words_.axis_column(), ProblemCode::core_radius, text);
+    const std::string x = mm_text(there.first_mm);
+    const std::string c = mm_text(there.second_mm);
+    if (!has_direction)
+        return fault(words_.axis_column(), ProblemCode::core_radius,
+                     phrase("at X %1 C %2 mm the way passes the axis", x, c));
+    return fault(
+        words_.axis_column(), ProblemCode::core_radius,
+        phrase("at X %1 C %2 mm the tip of %3 comes to %4 mm, and the core that it must not reach "
+               "ends at %5 mm",
+               x, c, is_of_second ? "r2" : "r1", mm_text(least_mm + tool_mm), mm_text(machine.core_mm)));
 }
 
 /// Pieces of the way are halved until they are even enough. What gets its place by the block, and had none
@@ -115,7 +113,8 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
             continue;
         }
         if (count++ > kMostDrawnChords)
-            return fault(words_.axis_column(), ProblemCode::out_of_range, "a way of more than 100000 chords");
+            return fault(words_.axis_column(), ProblemCode::out_of_range,
+                         phrase("a way of more than 100000 chords"));
         Position at;
         for (std::size_t letter = 0; letter < kLetterCount; ++letter)
             at[letter] = to < 1.0 ? start[letter] + to * (end[letter] - start[letter]) : end[letter];

@@ -28,7 +28,7 @@ void Interpreter::set_units() {
     const double mm_per_unit = code == 200 ? kMmPerInch : 1.0;
     if (words_.has('F') && mm_per_unit != modes_.mm_per_unit)
         problems_.add(fault(words_.column('F'), ProblemCode::feed_beside_units,
-                            "F stands beside new units, and counts in these"));
+                            phrase("F stands beside new units, and counts in these")));
     modes_.mm_per_unit = mm_per_unit;
     are_units_doubtful_ = false;
 }
@@ -52,20 +52,20 @@ Interpreter::Fault Interpreter::set_outputs() {
     if (code == kNoCode) return std::nullopt;
     if (!words_.has('P'))
         return fault(words_.column(CodeGroup::outputs), ProblemCode::word_missing,
-                     code_name('M', code) + " has no P, the number");
+                     phrase("%1 has no P, the number", code_name('M', code)));
     const double number = words_.value('P');
     if (!is_whole(number))
-        return fault(words_.column('P'), ProblemCode::not_whole, "P is a number of an output");
+        return fault(words_.column('P'), ProblemCode::not_whole, phrase("P is a number of an output"));
     if (number < 0.0 || number >= kMostOutputs)
         return fault(words_.column('P'), ProblemCode::out_of_range,
-                     "outputs and inputs have numbers 0 to 63");
+                     phrase("outputs and inputs have numbers 0 to 63"));
     if (code == 66) {
         if (words_.has('L') && !is_whole(words_.value('L')))
-            return fault(words_.column('L'), ProblemCode::not_whole, "L of M66 is a way to wait");
+            return fault(words_.column('L'), ProblemCode::not_whole, phrase("L of M66 is a way to wait"));
         if (words_.has('L') && (words_.value('L') < 0.0 || words_.value('L') > kMostWaits))
-            return fault(words_.column('L'), ProblemCode::out_of_range, "L of M66 is 0 to 4");
+            return fault(words_.column('L'), ProblemCode::out_of_range, phrase("L of M66 is 0 to 4"));
         if (words_.has('Q') && words_.value('Q') < 0.0)
-            return fault(words_.column('Q'), ProblemCode::out_of_range, "a wait of less than 0 s");
+            return fault(words_.column('Q'), ProblemCode::out_of_range, phrase("a wait of less than 0 s"));
     }
     emit(code == 66 ? CanonKind::input : CanonKind::output, code, number);
     return std::nullopt;
@@ -103,7 +103,7 @@ Interpreter::Fault Interpreter::set_switches() {
     const double value = code >= 50 && words_.has('P') ? words_.value('P') : 1.0;
     if (value != 0.0 && value != 1.0)
         return fault(words_.column('P'), ProblemCode::out_of_range,
-                     "P of " + code_name('M', code) + " is 0, off, or 1, on");
+                     phrase("P of %1 is 0, off, or 1, on", code_name('M', code)));
     if (code <= 49) modes_.are_overrides_off = code == 49;
     emit(CanonKind::override_set, code, value);
     return std::nullopt;
@@ -112,9 +112,10 @@ Interpreter::Fault Interpreter::set_switches() {
 Interpreter::Fault Interpreter::dwell() {
     if (words_.code(CodeGroup::once) != 40) return std::nullopt;
     if (!words_.has('P'))
-        return fault(words_.column(CodeGroup::once), ProblemCode::word_missing, "G4 has no P, the seconds");
+        return fault(words_.column(CodeGroup::once), ProblemCode::word_missing,
+                     phrase("G4 has no P, the seconds"));
     if (words_.value('P') < 0.0)
-        return fault(words_.column('P'), ProblemCode::out_of_range, "a dwell of less than 0 s");
+        return fault(words_.column('P'), ProblemCode::out_of_range, phrase("a dwell of less than 0 s"));
     emit(CanonKind::dwell, 40, words_.value('P'));
     return std::nullopt;
 }
@@ -141,11 +142,12 @@ Interpreter::Fault Interpreter::set_path() {
     const bool has_tolerance = code == 640 && words_.has('P');
     for (const char letter : {'P', 'Q'})
         if (code == 640 && words_.has(letter) && words_.value(letter) < 0.0)
-            return fault(words_.column(letter), ProblemCode::out_of_range, "a tolerance of less than 0");
+            return fault(words_.column(letter), ProblemCode::out_of_range,
+                         phrase("a tolerance of less than 0"));
     if (code == 640 && words_.has('Q') && !is_path_q_told_) {
         is_path_q_told_ = true;
         problems_.add(fault(words_.column('Q'), ProblemCode::tolerance_unused,
-                            "Q of G64 is not used: the tolerance of P holds for all"));
+                            phrase("Q of G64 is not used: the tolerance of P holds for all")));
     }
     modes_.path = code;
     emit(CanonKind::path, code, has_tolerance ? words_.value('P') * modes_.mm_per_unit : 0.0);
@@ -228,25 +230,26 @@ Interpreter::Fault Interpreter::note_offsets() {
         if (are_references_set_[which]) kept.references[which] = references_[which];
     if (!kept.is_within_limits())
         return fault(words_.column(CodeGroup::once), ProblemCode::out_of_range,
-                     "an offset beyond 1 000 000 000 mm or degrees");
+                     phrase("an offset beyond 1 000 000 000 mm or degrees"));
     offsets_to_tell_ = kept;
     return std::nullopt;
 }
 
 Interpreter::Fault Interpreter::set_coordinates() {
     const std::uint32_t column = words_.column(CodeGroup::once);
-    if (!words_.has('L')) return fault(column, ProblemCode::word_missing, "G10 has no L");
+    if (!words_.has('L')) return fault(column, ProblemCode::word_missing, phrase("G10 has no L"));
     const double kind = words_.value('L');
     if (kind != 2.0 && kind != 20.0)
-        return fault(words_.column('L'), ProblemCode::out_of_range, "G10 is read with L2 and L20");
-    if (!words_.has('P')) return fault(column, ProblemCode::word_missing, "G10 has no P, the system");
+        return fault(words_.column('L'), ProblemCode::out_of_range, phrase("G10 is read with L2 and L20"));
+    if (!words_.has('P')) return fault(column, ProblemCode::word_missing, phrase("G10 has no P, the system"));
     const double number = words_.value('P');
-    if (!is_whole(number)) return fault(words_.column('P'), ProblemCode::not_whole, "P is a system's number");
+    if (!is_whole(number))
+        return fault(words_.column('P'), ProblemCode::not_whole, phrase("P is a system's number"));
     if (number < 0.0 || number > 9.0)
-        return fault(words_.column('P'), ProblemCode::out_of_range, "systems have numbers 0 to 9");
+        return fault(words_.column('P'), ProblemCode::out_of_range, phrase("systems have numbers 0 to 9"));
     const std::size_t system = number == 0.0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
     if (words_.has('R') && kind == 20.0)
-        return fault(words_.column('R'), ProblemCode::word_unused, "G10 L20 sets no rotation");
+        return fault(words_.column('R'), ProblemCode::word_unused, phrase("G10 L20 sets no rotation"));
     if (words_.has('R')) offsets_.set_rotation(system, words_.value('R'));
     Position given{};
     for (std::size_t axis = 0; axis < kLetterCount; ++axis) {
@@ -312,11 +315,12 @@ Interpreter::Fault Interpreter::want_jump(int code) {
     if (code == 99) return std::nullopt;
     jump_.code = 0;
     if (!words_.has('P'))
-        return fault(column, ProblemCode::word_missing, "M98 has no P, the number of the subroutine");
+        return fault(column, ProblemCode::word_missing, phrase("M98 has no P, the number of the subroutine"));
     if (!is_whole(words_.value('P')))
-        return fault(words_.column('P'), ProblemCode::not_whole, "P is the number of a subroutine");
+        return fault(words_.column('P'), ProblemCode::not_whole, phrase("P is the number of a subroutine"));
     if (words_.value('P') < 0.0)
-        return fault(words_.column('P'), ProblemCode::out_of_range, "P is the number of a subroutine");
+        return fault(words_.column('P'), ProblemCode::out_of_range,
+                     phrase("P is the number of a subroutine"));
     jump_ = {code, static_cast<std::uint64_t>(words_.value('P')), 1, column};
     if (words_.has('L')) jump_.times = static_cast<std::uint64_t>(words_.value('L'));
     return std::nullopt;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "hmi/gcode/arc.hpp"
@@ -12,12 +11,6 @@
 
 namespace psicarve::gcode {
 namespace {
-
-std::string length_text(double length_mm) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.4f mm", length_mm);
-    return text;
-}
 
 ArcExtents extents_of(const CanonRecord& record) noexcept {
     const Plane& plane = *record.plane;
@@ -54,7 +47,7 @@ Position MachineCheck::reference_of(const Profile& profile) noexcept {
     return reference;
 }
 
-void MachineCheck::refuse(const CanonRecord& record, ProblemCode code, std::string what) {
+void MachineCheck::refuse(const CanonRecord& record, ProblemCode code, Phrase what) {
     is_way_refused_ = is_way_refused_ || record.is_drawn;
     problems_.add({record.line, record.column, code, std::move(what)});
 }
@@ -63,7 +56,7 @@ void MachineCheck::take(const CanonRecord& record) {
     // What is wrong with a drawn way is told once.
     is_way_refused_ = is_way_refused_ && record.begins_within;
     if (is_way_refused_) return;
-    if (const std::string_view why = stepped_.why_not(record); !why.empty())
+    if (const char* const why = stepped_.why_not(record); *why != '\0')
         problems_.count(record.line, record.column, ProblemCode::not_stepped, why);
     switch (record.kind) {
         case CanonKind::rapid:
@@ -78,17 +71,17 @@ void MachineCheck::take(const CanonRecord& record) {
 
 void MachineCheck::judge_switches(const CanonRecord& record) {
     if (record.kind == CanonKind::spindle && record.code == 4)
-        refuse(record, ProblemCode::spindle_reverse, "M4: the machine's spindle does not turn back");
+        refuse(record, ProblemCode::spindle_reverse, phrase("M4: the machine's spindle does not turn back"));
     if (record.kind == CanonKind::speed)
-        refuse(record, ProblemCode::speed_unused, "S: the machine's spindle is only switched");
+        refuse(record, ProblemCode::speed_unused, phrase("S: the machine's spindle is only switched"));
     if (record.kind == CanonKind::coolant && record.code != 9)
-        refuse(record, ProblemCode::coolant_unused, "the machine has no output for coolant");
-    if (record.kind == CanonKind::dwell) (void)lasts_no_day(record, record.value, "a dwell");
+        refuse(record, ProblemCode::coolant_unused, phrase("the machine has no output for coolant"));
+    if (record.kind == CanonKind::dwell) (void)lasts_no_day(record, record.value);
     if (record.kind == CanonKind::override_set) judge_override(record);
     if (record.kind == CanonKind::path) judge_tolerance(record);
     if (record.kind == CanonKind::output || record.kind == CanonKind::input)
         refuse(record, ProblemCode::output_missing,
-               "M" + std::to_string(record.code) + ": the machine has no such output or input");
+               phrase("%1: the machine has no such output or input", "M" + std::to_string(record.code)));
 }
 
 /// What asks for the state that holds here anyway is right: no switch is wired, and the operator may always
@@ -98,42 +91,40 @@ void MachineCheck::judge_override(const CanonRecord& record) {
     const bool is_on = record.value != 0.0;
     if (record.code == 49 || (record.code == 50 && !is_on))
         refuse(record, ProblemCode::override_kept,
-               name + " would take the feed's override from the operator");
+               phrase("%1 would take the feed's override from the operator", name));
     if ((record.code == 52 || record.code == 53) && is_on)
-        refuse(record, ProblemCode::output_missing, name + ": the machine has no input for it");
+        refuse(record, ProblemCode::output_missing, phrase("%1: the machine has no input for it", name));
 }
 
 /// What lasts longer the core refuses, and only when the machine has come so far.
-bool MachineCheck::lasts_no_day(const CanonRecord& record, double seconds, const std::string& what) {
+bool MachineCheck::lasts_no_day(const CanonRecord& record, double seconds) {
     if (!(seconds > kMostRecordSeconds)) return true;
-    char text[96];
-    std::snprintf(text, sizeof text, " of %.0f s; the machine takes %.0f s, a day, at most", seconds,
-                  kMostRecordSeconds);
-    refuse(record, ProblemCode::out_of_range, what + text);
+    refuse(record, ProblemCode::out_of_range,
+           phrase(record.kind == CanonKind::dwell ? "a dwell of %1 s; the machine takes %2 s, a day, at most"
+                                                  : "a way of %1 s; the machine takes %2 s, a day, at most",
+                  number_as("%.0f", seconds), number_as("%.0f", kMostRecordSeconds)));
     return false;
 }
 
 bool MachineCheck::is_way_in_time(const CanonRecord& record) {
     constexpr double kSecondsPerMinute = 60.0;
     if (!(record.feed_per_min > 0.0)) return true;
-    return lasts_no_day(record, record.length / record.feed_per_min * kSecondsPerMinute, "a way");
+    return lasts_no_day(record, record.length / record.feed_per_min * kSecondsPerMinute);
 }
 
 void MachineCheck::judge_tolerance(const CanonRecord& record) {
     const ProfileBounds bounds = profile_bounds("job.path_tolerance_mm");
     if (record.value == 0.0 || bounds.hold(record.value)) return;
-    char text[96];
-    std::snprintf(text, sizeof text, "G64 P of %g mm; the machine can have %g to %g mm", record.value,
-                  bounds.least, bounds.greatest);
-    refuse(record, ProblemCode::out_of_range, text);
+    refuse(record, ProblemCode::out_of_range,
+           phrase("G64 P of %1 mm; the machine can have %2 to %3 mm", number_as("%g", record.value),
+                  number_as("%g", bounds.least), number_as("%g", bounds.greatest)));
 }
 
 bool MachineCheck::has_only_our_letters(const CanonRecord& record) {
     for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
         const bool is_foreign = (letters_.all() & mask_of(letter)) == 0;
         if (!is_foreign || record.start[letter] == record.end[letter]) continue;
-        refuse(record, ProblemCode::axis_missing,
-               "the machine has no axis " + std::string{kAxisLetters[letter]});
+        refuse(record, ProblemCode::axis_missing, phrase("the machine has no axis %1", kAxisLetters[letter]));
         return false;
     }
     return true;
@@ -147,14 +138,14 @@ void MachineCheck::judge_extents(const CanonRecord& record, const LinearAxis& ax
     if (least < axis.motion.travel_min_pulses || most > axis.motion.travel_max_pulses) {
         const bool is_low = least < axis.motion.travel_min_pulses;
         refuse(record, ProblemCode::outside_travel,
-               axis.name + " comes to " + length_text(is_low ? least_mm : most_mm) + ", its travel is " +
-                   length_text(mm_from_pulses(axis.motion.travel_min_pulses, per_mm)) + " to " +
-                   length_text(mm_from_pulses(axis.motion.travel_max_pulses, per_mm)));
+               phrase("%1 comes to %2 mm, its travel is %3 mm to %4 mm", axis.name,
+                      mm_text(is_low ? least_mm : most_mm),
+                      mm_text(mm_from_pulses(axis.motion.travel_min_pulses, per_mm)),
+                      mm_text(mm_from_pulses(axis.motion.travel_max_pulses, per_mm))));
     } else if (axis.axis != Axis::y && least < axis.core_pulses) {
         refuse(record, ProblemCode::core_radius,
-               axis.name + " comes to " + length_text(least_mm) +
-                   ", and the core that it must not reach ends at " +
-                   length_text(mm_from_pulses(axis.core_pulses, per_mm)));
+               phrase("%1 comes to %2 mm, and the core that it must not reach ends at %3 mm", axis.name,
+                      mm_text(least_mm), mm_text(mm_from_pulses(axis.core_pulses, per_mm))));
     }
 }
 
@@ -168,8 +159,8 @@ void MachineCheck::judge_tips(const CanonRecord& record) {
     // Half a micrometre, less than a pulse: sums of decimal numbers are not exact.
     if (apart_mm >= clearance_mm_ - 0.0005) return;
     refuse(record, ProblemCode::heads_meet,
-           "the tips of r1 and r2 are " + length_text(apart_mm) +
-               " apart, closer than head_clearance_mm = " + length_text(clearance_mm_));
+           phrase("the tips of r1 and r2 are %1 mm apart, closer than head_clearance_mm = %2 mm",
+                  mm_text(apart_mm), mm_text(clearance_mm_)));
 }
 
 void MachineCheck::judge_end(const CanonRecord& record, const LinearAxis& axis) {
@@ -191,7 +182,7 @@ void MachineCheck::judge_arc(const CanonRecord& record) {
     const Plane& plane = *record.plane;
     if (!letters_.has_arcs_in(plane))
         return refuse(record, ProblemCode::arc_axes,
-                      "an arc in " + std::string{plane.name} + " does not move Y and one head");
+                      phrase("an arc in %1 does not move Y and one head", plane.name));
     const AxisMask both = static_cast<AxisMask>(mask_of(plane.first) | mask_of(plane.second));
     const bool is_reach_known = (record.start_placed & record.placed & both) == both;
     const ArcExtents found = extents_of(record);

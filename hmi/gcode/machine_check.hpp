@@ -31,10 +31,10 @@ private:
         std::string name;
     };
 
-    void refuse(const CanonRecord& record, ProblemCode code, std::string what);
+    void refuse(const CanonRecord& record, ProblemCode code, Phrase what);
     void judge_switches(const CanonRecord& record);
     void judge_override(const CanonRecord& record);
-    bool lasts_no_day(const CanonRecord& record, double seconds, const std::string& what);
+    bool lasts_no_day(const CanonRecord& record, double seconds);
     bool is_way_in_time(const CanonRecord& record);
     void judge_tolerance(const CanonRecord& record);
     bool has_only_our_letters(const CanonRecord& record);

@@ -57,7 +57,7 @@ std::string_view name_of(OKeyword keyword) noexcept {
     return kNames[static_cast<std::size_t>(keyword)];
 }
 
-Problem OWordReader::problem(std::size_t index, ProblemCode code, std::string what) const {
+Problem OWordReader::problem(std::size_t index, ProblemCode code, Phrase what) const {
     return {line_number_, static_cast<std::uint32_t>(index + 1), code, std::move(what)};
 }
 
@@ -75,11 +75,11 @@ std::optional<Problem> OWordReader::read(std::size_t begin, bool is_judging, OWo
         const bool is_calculated = reader.is_next('[') || reader.is_next('#');
         double number = 0.0;
         if (!is_calculated && (reader.is_at_end() || !reader.starts_number()))
-            return problem(begin, ProblemCode::o_word_wrong, "O has neither a number nor a <name>");
+            return problem(begin, ProblemCode::o_word_wrong, phrase("O has neither a number nor a <name>"));
         if (!reader.read_value(number)) return refuse();
         const double nearest = std::round(number);
         if (!(std::abs(number - nearest) < 1e-4) || nearest < 0.0 || nearest > kMostNumber)
-            return problem(begin, ProblemCode::o_word_wrong, "the number of an O word is whole");
+            return problem(begin, ProblemCode::o_word_wrong, phrase("the number of an O word is whole"));
         if (!is_calculated || !is_judging) word.name = std::to_string(static_cast<std::int64_t>(nearest));
     }
     word.keyword = label;
@@ -93,7 +93,8 @@ std::optional<Problem> OWordReader::read(std::size_t begin, bool is_judging, OWo
             end = ahead.at();
         }
         if (found == nullptr)
-            return problem(reader.at(), ProblemCode::o_word_wrong, "this is no word that can follow O");
+            return problem(reader.at(), ProblemCode::o_word_wrong,
+                           phrase("this is no word that can follow O"));
         word.keyword = found->keyword;
         reader.take(found->text);
     }
@@ -104,7 +105,6 @@ std::optional<Problem> OWordReader::read(std::size_t begin, bool is_judging, OWo
 std::optional<Problem> OWordReader::read_arguments(const OWord& word, bool is_judging,
                                                    std::vector<double>& values) {
     const KeywordRow& row = row_of_keyword(word.keyword);
-    const std::string text{name_of(word.keyword)};
     values.clear();
     ExpressionReader reader{line_, word.arguments, parameters_, is_judging};
     while (reader.is_next('[')) {
@@ -115,24 +115,25 @@ std::optional<Problem> OWordReader::read_arguments(const OWord& word, bool is_ju
         if (values.size() == row.most_values) {
             const bool is_call = word.keyword == call;
             return problem(begin, is_call ? ProblemCode::too_many_arguments : ProblemCode::o_word_beside,
-                           text + " takes no more values");
+                           phrase("%1 takes no more values", name_of(word.keyword)));
         }
         values.push_back(value);
     }
     if (values.size() < row.least_values)
-        return problem(reader.at(), ProblemCode::bracket_missing, text + " has no value in [ ]");
+        return problem(reader.at(), ProblemCode::bracket_missing,
+                       phrase("%1 has no value in [ ]", name_of(word.keyword)));
     while (begins_comment(reader)) {
         const std::size_t at = reader.at();
         if (line_[at] == ';') return std::nullopt;
         const std::size_t end = line_.find_first_of("()", at + 1);
         if (end == std::string_view::npos)
-            return problem(at, ProblemCode::open_comment, "the comment has no end");
+            return problem(at, ProblemCode::open_comment, phrase("the comment has no end"));
         if (line_[end] == '(')
-            return problem(end, ProblemCode::nested_comment, "a comment begins within a comment");
+            return problem(end, ProblemCode::nested_comment, phrase("a comment begins within a comment"));
         reader.go_to(end + 1);
     }
     if (reader.is_at_end()) return std::nullopt;
-    return problem(reader.at(), ProblemCode::o_word_beside, "something stands behind the O word");
+    return problem(reader.at(), ProblemCode::o_word_beside, phrase("something stands behind the O word"));
 }
 
 }  // namespace psicarve::gcode

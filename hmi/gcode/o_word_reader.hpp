@@ -53,7 +53,7 @@ public:
     /// As many values in brackets as the keyword may have, and nothing but comments behind them.
     std::optional<Problem> read_arguments(const OWord& word, bool is_judging, std::vector<double>& values);
 
-    Problem problem(std::size_t index, ProblemCode code, std::string what) const;
+    Problem problem(std::size_t index, ProblemCode code, Phrase what) const;
 
 private:
     std::string_view line_;

@@ -38,7 +38,7 @@ std::optional<ParameterFault> Parameters::read(const ParameterKey& key, double& 
     const StateAnswer answer = answer_of(key);
     if (answer.kind == StateAnswer::Kind::not_read)
         return ParameterFault{ProblemCode::not_read,
-                              parameter_name(key) + " tells of what this machine does not have"};
+                              phrase("%1 tells of what this machine does not have", parameter_name(key))};
     if (answer.kind == StateAnswer::Kind::value) {
         if (!answer.is_certain) doubt();
         value = answer.value;
@@ -51,7 +51,7 @@ std::optional<ParameterFault> Parameters::read(const ParameterKey& key, double& 
     const Names& names = names_of(key.name);
     const auto found = names.find(key.name);
     if (found == names.end())
-        return ParameterFault{ProblemCode::parameter_unset, parameter_name(key) + " has no value"};
+        return ParameterFault{ProblemCode::parameter_unset, phrase("%1 has no value", parameter_name(key))};
     value = found->second;
     return std::nullopt;
 }
@@ -64,7 +64,7 @@ bool Parameters::exists(const ParameterKey& key) const {
 
 std::optional<ParameterFault> Parameters::judge_write(const ParameterKey& key) const {
     if (answer_of(key).kind == StateAnswer::Kind::none) return std::nullopt;
-    return ParameterFault{ProblemCode::parameter_kept, parameter_name(key) + " can only be read"};
+    return ParameterFault{ProblemCode::parameter_kept, phrase("%1 can only be read", parameter_name(key))};
 }
 
 std::optional<ParameterFault> Parameters::set(const Planned& planned) {
@@ -81,7 +81,7 @@ std::optional<ParameterFault> Parameters::set(const Planned& planned) {
         return std::nullopt;
     }
     if (name_count_ >= kMostNames)
-        return ParameterFault{ProblemCode::parameter_many, "more than 10000 named parameters"};
+        return ParameterFault{ProblemCode::parameter_many, phrase("more than 10000 named parameters")};
     ++name_count_;
     names.emplace(key.name, planned.value);
     return std::nullopt;

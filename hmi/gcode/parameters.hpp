@@ -31,7 +31,7 @@ struct ParameterKey {
 /// Why a parameter cannot be read or set.
 struct ParameterFault {
     ProblemCode code = ProblemCode::parameter_range;
-    std::string what;
+    Phrase what;
 };
 
 /// The parameters of a program. #1 to #30 and names that do not begin with _ are each call's own; the memory

@@ -7,7 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "hmi/phrase/phrase.hpp"
+
 namespace psicarve::gcode {
+
+using session::Phrase;
+using session::phrase;
 
 /// What can be wrong with a program. Names are stable; docs/gcode.md lists them.
 enum class ProblemCode : std::uint8_t {
@@ -88,8 +93,8 @@ enum class ProblemCode : std::uint8_t {
 inline constexpr std::size_t kProblemCodeCount = 73;
 
 std::string_view name_of(ProblemCode code) noexcept;
-/// What to do about it, one clause.
-std::string_view remedy_of(ProblemCode code) noexcept;
+/// What to do about it, one clause, which is translated where it is shown.
+const char* remedy_of(ProblemCode code) noexcept;
 /// The problem is reported, and the program is valid all the same.
 bool is_warning(ProblemCode code) noexcept;
 
@@ -97,13 +102,22 @@ struct Problem {
     std::uint64_t line = 0;    ///< from 1
     std::uint32_t column = 0;  ///< from 1, in bytes
     ProblemCode code = ProblemCode::bad_character;
-    std::string what;
+    Phrase what;
     std::uint64_t times = 1;  ///< so often there is the same; this is the first
 };
 /// What is wrong, and how often where it is told once.
+Phrase what_phrase(const Problem& problem);
+/// "code: what is wrong; remedy"
+Phrase problem_phrase(const Problem& problem);
+/// What is wrong, in English; with the file's own bytes, as below.
 std::string what_text(const Problem& problem);
 /// "FILE:LINE:COLUMN: code: what is wrong; remedy"
 std::string problem_text(const Problem& problem, std::string_view file_name);
+
+/// With four decimals and without the unit, as problems tell lengths: their words have the unit.
+std::string mm_text(double length_mm);
+/// By printf's format of one double.
+std::string number_as(const char* format, double value);
 
 /// All problems of a program are counted, the first ones of each kind kept. A warning that is kept is not
 /// told again of the same place.
@@ -113,7 +127,8 @@ public:
 
     void add(Problem problem);
     /// A warning of which there are few kinds: each is told once, where it came first, and how often.
-    void count(std::uint64_t line, std::uint32_t column, ProblemCode code, std::string_view kind);
+    /// `kind` is a literal.
+    void count(std::uint64_t line, std::uint32_t column, ProblemCode code, const char* kind);
     const std::vector<Problem>& errors() const noexcept { return errors_; }
     const std::vector<Problem>& warnings() const noexcept { return warnings_; }
     std::uint64_t error_count() const noexcept { return error_count_; }

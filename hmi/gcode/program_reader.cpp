@@ -59,7 +59,7 @@ bool ProgramReader::is_torn(std::string_view line) {
     if (!options_.ends_with_input || lines_.has_line_feed() || is_blank_line(line) || names_end(line))
         return false;
     problems_.add({lines_.number(), 1, ProblemCode::no_end,
-                   "the stream ends within a line: it may have been torn off, and is not run"});
+                   phrase("the stream ends within a line: it may have been torn off, and is not run")});
     is_given_up_ = true;
     return true;
 }
@@ -178,7 +178,7 @@ void ProgramReader::tell(std::optional<Problem> wrong) {
         return;
     }
     problems_.add({lines_.number(), 1, ProblemCode::text_too_long,
-                   "loops and subroutines of a stream have more than 64 MiB"});
+                   phrase("loops and subroutines of a stream have more than 64 MiB")});
     is_given_up_ = true;
 }
 
@@ -201,11 +201,11 @@ bool ProgramReader::is_work_bounded() {
     actions_ = interpreter_->action_count();
     const bool is_idle = idle_blocks_ > options_.most_idle_blocks;
     if (!is_idle && repeated_blocks_ <= options_.most_repeated_blocks) return true;
-    const std::string what = is_idle ? std::to_string(options_.most_idle_blocks) +
-                                           " blocks in loops make no move, no dwell and no stop"
-                                     : "loops and calls make more than " +
-                                           std::to_string(options_.most_repeated_blocks) + " blocks";
-    problems_.add({lines_.number(), 1, is_idle ? ProblemCode::endless : ProblemCode::too_many_blocks, what});
+    const std::uint64_t most = is_idle ? options_.most_idle_blocks : options_.most_repeated_blocks;
+    problems_.add({lines_.number(), 1, is_idle ? ProblemCode::endless : ProblemCode::too_many_blocks,
+                   phrase(is_idle ? "%1 blocks in loops make no move, no dwell and no stop"
+                                  : "loops and calls make more than %1 blocks",
+                          std::to_string(most))});
     is_given_up_ = true;
     return false;
 }
@@ -223,7 +223,7 @@ void ProgramReader::tell_end() {
         return;
     }
     problems_.add({std::max<std::uint64_t>(line_count_, 1), 1, ProblemCode::no_end,
-                   line_count_ == 0 ? "the program is empty" : "the program has no end"});
+                   phrase(line_count_ == 0 ? "the program is empty" : "the program has no end")});
 }
 
 }  // namespace psicarve::gcode

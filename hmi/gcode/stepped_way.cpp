@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hmi/gcode/arc.hpp"
+#include "hmi/phrase/phrase.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::gcode {
@@ -19,8 +20,8 @@ constexpr double kMostRadiusPulses = 1 << 29;
 constexpr double kMostApartPulses = 0.999;
 constexpr double kSameAngleRad = 1e-9;
 constexpr int kSamples = 16;
-constexpr std::string_view kEndsAreNear =
-    "an arc stays chords: its ends differ and are within 16 pulses of each other";
+constexpr const char* kEndsAreNear =
+    PSICARVE_TEXT("an arc stays chords: its ends differ and are within 16 pulses of each other");
 
 using PulsePoint = std::array<double, 2>;
 
@@ -93,24 +94,25 @@ std::uint8_t SteppedWays::line_axes(const CanonRecord& record, AxisMask letters)
 std::optional<SteppedArc> SteppedWays::arc(const CanonRecord& record) const noexcept {
     if (!is_on_ || record.kind != CanonKind::arc || !letters_.has_arcs_in(*record.plane)) return {};
     SteppedArc found;
-    if (!find_arc(record, found).empty()) return {};
+    if (*find_arc(record, found) != '\0') return {};
     return found;
 }
 
-std::string_view SteppedWays::find_arc(const CanonRecord& record, SteppedArc& found) const noexcept {
+const char* SteppedWays::find_arc(const CanonRecord& record, SteppedArc& found) const noexcept {
     const Plane& plane = *record.plane;
     if ((changed_letters(record) & letters_.all() & ~mask_of(plane.first) & ~mask_of(plane.second)) != 0)
-        return "an arc stays chords: another axis moves with it";
+        return PSICARVE_TEXT("an arc stays chords: another axis moves with it");
     const bool is_y_first = plane.first == letters_.letter_of(Axis::y);
     const std::size_t head_letter = is_y_first ? plane.second : plane.first;
     if (letters_.letter_of(Axis::r1) == letters_.letter_of(Axis::r2))
-        return "an arc stays chords: both heads draw it";
+        return PSICARVE_TEXT("an arc stays chords: both heads draw it");
     found.head = letters_.letter_of(Axis::r1) == head_letter ? Axis::r1 : Axis::r2;
     const double scale = axes_[index_of(found.head)].pulses_per_unit;
     if (scale != axes_[index_of(Axis::y)].pulses_per_unit)
-        return "an arc stays chords: its head and y differ in pulses per mm";
+        return PSICARVE_TEXT("an arc stays chords: its head and y differ in pulses per mm");
     if (!has_room(record, found.head))
-        return "an arc stays chords: it comes within two pulses of the end of a travel or of the core";
+        return PSICARVE_TEXT(
+            "an arc stays chords: it comes within two pulses of the end of a travel or of the core");
 
     const auto point = [&](double first_mm, double second_mm) {
         return PulsePoint{(is_y_first ? second_mm : first_mm) * scale,
@@ -122,8 +124,9 @@ std::string_view SteppedWays::find_arc(const CanonRecord& record, SteppedArc& fo
     const int turns = is_y_first ? -record.turns : record.turns;
     const double signed_rad = sweep_rad({from[0], from[1]}, {to[0], to[1]}, {centre[0], centre[1]}, turns);
     const double radius = apart(from, centre);
-    if (radius < kLeastRadiusPulses) return "an arc stays chords: its radius is below 16 pulses";
-    if (radius > kMostRadiusPulses) return "an arc stays chords: its radius is too large";
+    if (radius < kLeastRadiusPulses)
+        return PSICARVE_TEXT("an arc stays chords: its radius is below 16 pulses");
+    if (radius > kMostRadiusPulses) return PSICARVE_TEXT("an arc stays chords: its radius is too large");
     found.is_counterclockwise = signed_rad > 0.0;
     found.sweep_rad = std::abs(signed_rad);
     found.whole_turns = static_cast<int>((found.sweep_rad + kSameAngleRad) / (2.0 * kPi));
@@ -136,25 +139,28 @@ std::string_view SteppedWays::find_arc(const CanonRecord& record, SteppedArc& fo
         return kEndsAreNear;
     }
     const auto at = centre_on_pulses(from, to, centre, signed_rad);
-    if (!at) return "an arc stays chords: its ends are not, to a pulse, as far from the centre as each other";
+    if (!at)
+        return PSICARVE_TEXT(
+            "an arc stays chords: its ends are not, to a pulse, as far from the centre as each other");
     found.centre_mm = {(*at)[0] / scale, (*at)[1] / scale};
-    return {};
+    return "";
 }
 
-std::string_view SteppedWays::why_not(const CanonRecord& record) const noexcept {
-    if (!is_on_ || record.feed_per_min <= 0.0) return {};
+const char* SteppedWays::why_not(const CanonRecord& record) const noexcept {
+    if (!is_on_ || record.feed_per_min <= 0.0) return "";
     if (record.kind == CanonKind::feed) return why_no_line(record);
-    if (record.kind != CanonKind::arc || !letters_.has_arcs_in(*record.plane)) return {};
+    if (record.kind != CanonKind::arc || !letters_.has_arcs_in(*record.plane)) return "";
     const AxisMask drawn =
         static_cast<AxisMask>(mask_of(record.plane->first) | mask_of(record.plane->second));
     SteppedArc found;
-    if ((record.start_placed & record.placed & drawn) != drawn) return {};
+    if ((record.start_placed & record.placed & drawn) != drawn) return "";
     return find_arc(record, found);
 }
 
-std::string_view SteppedWays::why_no_line(const CanonRecord& record) const noexcept {
+const char* SteppedWays::why_no_line(const CanonRecord& record) const noexcept {
     // Of a drawn way once.
-    if (record.is_drawn) return record.begins_within ? "" : "a drawn way is carved as with \"path\"";
+    if (record.is_drawn)
+        return record.begins_within ? "" : PSICARVE_TEXT("a drawn way is carved as with \"path\"");
     AxisMask moved = 0;
     for (std::size_t letter = 0; letter < kLetterCount; ++letter)
         if ((record.start_placed & mask_of(letter)) != 0 && record.start[letter] != record.end[letter])
@@ -162,9 +168,9 @@ std::string_view SteppedWays::why_no_line(const CanonRecord& record) const noexc
     const bool moves_r1 = (moved & letters_.mask_of_axis(Axis::r1)) != 0;
     const bool moves_r2 = (moved & letters_.mask_of_axis(Axis::r2)) != 0;
     if ((moved & letters_.mask_of_axis(Axis::psi)) != 0)
-        return "a line is carved as with \"path\": psi turns";
-    if (moves_r1 && moves_r2) return "a line is carved as with \"path\": both heads move";
-    return {};
+        return PSICARVE_TEXT("a line is carved as with \"path\": psi turns");
+    if (moves_r1 && moves_r2) return PSICARVE_TEXT("a line is carved as with \"path\": both heads move");
+    return "";
 }
 
 /// Steps may be a pulse off the arc, and the core lets none be where an axis may not.

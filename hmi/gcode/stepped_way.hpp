@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
@@ -35,13 +34,13 @@ public:
     /// each other, where ends that differ are nearer to each other than 16 pulses, where its radius
     /// is less, and within two pulses of where an axis may not be.
     std::optional<SteppedArc> arc(const CanonRecord& record) const noexcept;
-    /// Why a way with a feed is none, though the profile asks for it: one of a few texts. Empty: it is one,
-    /// or nobody asked, or it cannot be told as a place is not known.
-    std::string_view why_not(const CanonRecord& record) const noexcept;
+    /// Why a way with a feed is none, though the profile asks for it: one of a few texts that are translated
+    /// where they are shown. Empty: it is one, or nobody asked, or it cannot be told as a place is not known.
+    const char* why_not(const CanonRecord& record) const noexcept;
 
 private:
-    std::string_view find_arc(const CanonRecord& record, SteppedArc& found) const noexcept;
-    std::string_view why_no_line(const CanonRecord& record) const noexcept;
+    const char* find_arc(const CanonRecord& record, SteppedArc& found) const noexcept;
+    const char* why_no_line(const CanonRecord& record) const noexcept;
     bool has_room(const CanonRecord& record, Axis head) const noexcept;
 
     bool is_on_;

@@ -10,6 +10,7 @@
 #include "hmi/phrase/flat_phrase.hpp"
 #include "hmi/phrase/message_phrase.hpp"
 #include "hmi/phrase/profile_phrase.hpp"
+#include "hmi/phrase/program_phrase.hpp"
 #include "hmi/phrase/sentence.hpp"
 #include "hmi/phrase/warning_phrase.hpp"
 
@@ -280,7 +281,8 @@ std::optional<Phrase> file_phrase(const std::string& message) {
         const std::string rest = message.substr(end + 2);
         if (auto found = without_lines_phrase(file, rest)) return found;
         if (auto found = phrase_for(of_a_file(), rest)) return joined(file, std::move(*found));
-        if (auto found = phrase_for(flat_refusals(), rest)) return joined(file, std::move(*found));
+        for (const auto& sentences : {flat_refusals(), program_file_refusals()})
+            if (auto found = phrase_for(sentences, rest)) return joined(file, std::move(*found));
         const auto line = phrase_for({{"line %1: %2", phrase("line %1")}}, rest);
         if (!line) continue;
         if (auto found = phrase_for(of_a_line(), line->arguments.back()))
@@ -296,6 +298,7 @@ Phrase error_phrase(const std::string& message) {
     if (auto found = phrase_for(of_roughing(), message)) return *found;
     if (auto found = calibration_phrase(message)) return *found;
     if (auto found = profile_error_phrase(message)) return *found;
+    if (auto found = program_error_phrase(message)) return *found;
     if (auto found = file_phrase(message)) return *found;
     if (auto found = file_line_phrase(message)) return *found;
     return phrase("%1", message);

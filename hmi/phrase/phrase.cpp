@@ -2,13 +2,16 @@
 #include "hmi/phrase/phrase.hpp"
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "shared/base/printable.hpp"
 
 namespace psicarve::session {
 
-std::string filled_in(const std::string& words, const std::vector<std::string>& arguments) {
+namespace {
+
+std::string with_arguments(std::string_view words, const std::vector<std::string>& arguments) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const bool is_mark =
@@ -18,16 +21,31 @@ std::string filled_in(const std::string& words, const std::vector<std::string>& 
             continue;
         }
         const auto index = static_cast<std::size_t>(words[i + 1] - '1');
-        if (index < arguments.size()) text += printable(arguments[index]);
+        if (index < arguments.size()) text += arguments[index];
         ++i;
     }
     return text;
+}
+
+}  // namespace
+
+std::string filled_in(const std::string& words, const std::vector<std::string>& arguments) {
+    std::vector<std::string> shown;
+    shown.reserve(arguments.size());
+    for (const std::string& argument : arguments) shown.push_back(printable(argument));
+    return with_arguments(words, shown);
 }
 
 std::string in_english(const Phrase& text) {
     std::vector<std::string> arguments = text.arguments;
     for (const Phrase& inner : text.inner) arguments.push_back(in_english(inner));
     return filled_in(text.english, arguments);
+}
+
+std::string as_told(const Phrase& text) {
+    std::vector<std::string> arguments = text.arguments;
+    for (const Phrase& inner : text.inner) arguments.push_back(as_told(inner));
+    return with_arguments(text.english, arguments);
 }
 
 Phrase joined(Phrase before, Phrase after) {

@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+/// Marks a text that becomes part of a phrase elsewhere: scripts/translations.py looks for it.
+#define PSICARVE_TEXT(english) english
+
 namespace psicarve::session {
 
 /// A text for the operator that can still be translated: English words with %1, %2 ... and what stands there.
@@ -33,6 +36,9 @@ Phrase listed(std::vector<Phrase> phrases);
 
 /// The words with their arguments in place.
 std::string in_english(const Phrase& text);
+/// The same with all bytes that others gave, also those that would steer a terminal: for JSON, and for those
+/// who make them printable at the end.
+std::string as_told(const Phrase& text);
 /// The same with words that were translated: `words` instead of text.english.
 std::string filled_in(const std::string& words, const std::vector<std::string>& arguments);
 

@@ -20,6 +20,10 @@
             <translation>! КВ</translation>
         </message>
         <message>
+            <source>% stands among other things, or in the middle</source>
+            <translation>% стоит среди другого или в середине программы</translation>
+        </message>
+        <message>
             <source>%1 % of the surface</source>
             <translation>%1 % поверхности</translation>
         </message>
@@ -36,6 +40,10 @@
             <translation>%1 и %2 оба на выходном выводе %3; дайте одному из них другой вывод (делить можно только сигналы разрешения)</translation>
         </message>
         <message>
+            <source>%1 and %2 both use axis words</source>
+            <translation>и %1, и %2 используют слова осей</translation>
+        </message>
+        <message>
             <source>%1 and %2 share pin %3, one active high and one active low; give both the same sign</source>
             <translation>%1 и %2 делят вывод %3: у одного активен высокий уровень, у другого низкий; дайте обоим один знак</translation>
         </message>
@@ -50,6 +58,18 @@
         <message>
             <source>%1 and %2: nothing differs</source>
             <translation>%1 и %2: отличий нет</translation>
+        </message>
+        <message>
+            <source>%1 behind else</source>
+            <translation>%1 после else</translation>
+        </message>
+        <message>
+            <source>%1 blocks in loops make no move, no dwell and no stop</source>
+            <translation>%1 кадров в циклах без перемещения, выдержки и останова</translation>
+        </message>
+        <message>
+            <source>%1 can only be read</source>
+            <translation>%1 можно только читать</translation>
         </message>
         <message>
             <source>%1 cannot count so far</source>
@@ -82,6 +102,14 @@
         <message>
             <source>%1 cm³</source>
             <translation>%1 см³</translation>
+        </message>
+        <message>
+            <source>%1 comes to %2 mm, and the core that it must not reach ends at %3 mm</source>
+            <translation>%1 приходит в %2 mm, а сердцевина, в которую нельзя заходить, кончается на %3 mm</translation>
+        </message>
+        <message>
+            <source>%1 comes to %2 mm, its travel is %3 mm to %4 mm</source>
+            <translation>%1 приходит в %2 mm, её ход от %3 mm до %4 mm</translation>
         </message>
         <message>
             <source>%1 dir</source>
@@ -124,12 +152,56 @@
             <translation>%1 идёт не быстрее %2, так и идёт</translation>
         </message>
         <message>
+            <source>%1 has a value of more than 1000000000</source>
+            <translation>значение %1 больше 1000000000</translation>
+        </message>
+        <message>
+            <source>%1 has no %2, the depth</source>
+            <translation>у %1 нет %2, глубины</translation>
+        </message>
+        <message>
+            <source>%1 has no P, the dwell</source>
+            <translation>у %1 нет P, выдержки</translation>
+        </message>
+        <message>
+            <source>%1 has no P, the number</source>
+            <translation>у %1 нет P, номера</translation>
+        </message>
+        <message>
+            <source>%1 has no Q, the depth of a peck</source>
+            <translation>у %1 нет Q, глубины одного захода</translation>
+        </message>
+        <message>
+            <source>%1 has no R</source>
+            <translation>у %1 нет R</translation>
+        </message>
+        <message>
+            <source>%1 has no axis word</source>
+            <translation>у %1 нет слова оси</translation>
+        </message>
+        <message>
             <source>%1 has no closed outline: its lines are engraved</source>
             <translation>%1: нет замкнутого контура, гравируются линии</translation>
         </message>
         <message>
+            <source>%1 has no number</source>
+            <translation>у %1 нет числа</translation>
+        </message>
+        <message>
+            <source>%1 has no value</source>
+            <translation>у %1 нет значения</translation>
+        </message>
+        <message>
+            <source>%1 has no value in [ ]</source>
+            <translation>у %1 нет значения в [ ]</translation>
+        </message>
+        <message>
             <source>%1 has no way left in this direction</source>
             <translation>у %1 в эту сторону больше нет хода</translation>
+        </message>
+        <message>
+            <source>%1 in a system that is rotated</source>
+            <translation>%1 в повёрнутой системе координат</translation>
         </message>
         <message>
             <source>%1 in use</source>
@@ -148,6 +220,10 @@
             <translation>%1 недопустимо; задайте значение от %2 до %3</translation>
         </message>
         <message>
+            <source>%1 is less than 0</source>
+            <translation>%1 меньше 0</translation>
+        </message>
+        <message>
             <source>%1 is no group code</source>
             <translation>%1 — не код группы</translation>
         </message>
@@ -158,6 +234,14 @@
         <message>
             <source>%1 is no number to work with; give a finite one</source>
             <translation>%1 — не пригодное число; задайте конечное</translation>
+        </message>
+        <message>
+            <source>%1 is no whole number</source>
+            <translation>%1 — не целое число</translation>
+        </message>
+        <message>
+            <source>%1 is no word of an arc in %2</source>
+            <translation>%1 — не слово дуги в %2</translation>
         </message>
         <message>
             <source>%1 is not a number</source>
@@ -178,6 +262,10 @@
         <message>
             <source>%1 is not a word of ASCII STL</source>
             <translation>%1 — не слово текстового STL</translation>
+        </message>
+        <message>
+            <source>%1 is not known</source>
+            <translation>%1 неизвестно</translation>
         </message>
         <message>
             <source>%1 is not possible here; give %2</source>
@@ -312,6 +400,10 @@
             <translation>у %1 из %2 граней координаты не конечны; такая сетка непригодна</translation>
         </message>
         <message>
+            <source>%1 of %2 has no end</source>
+            <translation>у %1 слова %2 нет конца</translation>
+        </message>
+        <message>
             <source>%1 of %2 layers do not contain the axis.</source>
             <translation>Слоёв, не содержащих ось: %1 из %2.</translation>
         </message>
@@ -340,6 +432,10 @@
             <translation>Линий уже, чем режет инструмент (%3 mm): %1 из %2; они станут такой ширины.</translation>
         </message>
         <message>
+            <source>%1 of %2 within %3 of %4</source>
+            <translation>%1 слова %2 внутри %3 слова %4</translation>
+        </message>
+        <message>
             <source>%1 of %2, %3°</source>
             <translation>%1 из %2, %3°</translation>
         </message>
@@ -366,6 +462,10 @@
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>
             <translation>%1 поверхности заслонено другой частью и недостижимо. С «Ось проходит: мин. потеря» потеря составит %2 поверхности и %3 слоёв; при таком же подсчёте эта ось теряет %4 и %5.</translation>
+        </message>
+        <message>
+            <source>%1 outside the loop %2</source>
+            <translation>%1 вне цикла %2</translation>
         </message>
         <message>
             <source>%1 planned</source>
@@ -408,6 +508,18 @@
             <translation>%1 со слоя %2, когда открылось это окно</translation>
         </message>
         <message>
+            <source>%1 stands beside %2</source>
+            <translation>%1 стоит рядом с %2</translation>
+        </message>
+        <message>
+            <source>%1 stands beside %2 of its group</source>
+            <translation>%1 стоит рядом с %2 той же группы</translation>
+        </message>
+        <message>
+            <source>%1 stands twice in the block</source>
+            <translation>%1 стоит в кадре дважды</translation>
+        </message>
+        <message>
             <source>%1 step</source>
             <translation>%1 шаг</translation>
         </message>
@@ -416,8 +528,16 @@
             <translation>Незамкнутых линий: %1, они пропущены; первая от %2 до %3 mm.</translation>
         </message>
         <message>
+            <source>%1 takes no more values</source>
+            <translation>%1 не принимает больше значений</translation>
+        </message>
+        <message>
             <source>%1 tells of another piece: see which of them is mounted.</source>
             <translation>%1 говорит о другой заготовке: посмотрите, какая из них установлена.</translation>
+        </message>
+        <message>
+            <source>%1 tells of what this machine does not have</source>
+            <translation>%1 говорит о том, чего у этого станка нет</translation>
         </message>
         <message>
             <source>%1 ticks missed</source>
@@ -472,6 +592,18 @@
             <translation>здесь %1, а ожидается таблица [%2]; её ключи пишите под [%3]</translation>
         </message>
         <message>
+            <source>%1 while %2 holds</source>
+            <translation>%1 при действующем %2</translation>
+        </message>
+        <message>
+            <source>%1 while a cycle holds</source>
+            <translation>%1 при действующем цикле</translation>
+        </message>
+        <message>
+            <source>%1 without %2 before it</source>
+            <translation>%1 без %2 перед ним</translation>
+        </message>
+        <message>
             <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
             <translation>%1 сблизил бы резцы меньше чем на head_clearance_mm, %2</translation>
         </message>
@@ -482,6 +614,10 @@
         <message>
             <source>%1 would leave its travel, %2 to %3</source>
             <translation>%1 вышел бы за пределы хода, от %2 до %3</translation>
+        </message>
+        <message>
+            <source>%1 would take the feed's override from the operator</source>
+            <translation>%1 отнял бы у оператора коррекцию подачи</translation>
         </message>
         <message>
             <source>%1 · ends %2</source>
@@ -544,8 +680,16 @@
             <translation>%1: изменятся значения: %2</translation>
         </message>
         <message>
+            <source>%1: %2; %3</source>
+            <translation>%1: %2; %3</translation>
+        </message>
+        <message>
             <source>%1: core %2, here %3</source>
             <translation>%1: в ядре %2, здесь %3</translation>
+        </message>
+        <message>
+            <source>%1: cutter compensation is not done</source>
+            <translation>%1: коррекция на инструмент не выполняется</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -572,6 +716,10 @@
             <translation>%1: строка %2: для %3 нет места: здесь значение с этим именем; переименуйте его</translation>
         </message>
         <message>
+            <source>%1: not found beside psicarve-hmi nor in PATH; install it there</source>
+            <translation>%1: не найдено ни рядом с psicarve-hmi, ни в PATH; установите туда</translation>
+        </message>
+        <message>
             <source>%1: not homed</source>
             <translation>%1: ноль не найден</translation>
         </message>
@@ -584,6 +732,18 @@
             <translation>%1: этот файл кто-то изменил после открытия; сохраните под другим именем или откройте его снова и потеряйте эти изменения</translation>
         </message>
         <message>
+            <source>%1: the machine has no input for it</source>
+            <translation>%1: у станка нет такого входа</translation>
+        </message>
+        <message>
+            <source>%1: the machine has no such output or input</source>
+            <translation>%1: у станка нет такого выхода или входа</translation>
+        </message>
+        <message>
+            <source>%1: there is no tool table</source>
+            <translation>%1: таблицы инструментов нет</translation>
+        </message>
+        <message>
             <source>%1: whether it is homed is not known</source>
             <translation>%1: найден ли ноль, неизвестно</translation>
         </message>
@@ -592,12 +752,20 @@
             <translation>%1: найден ли ноль, не записано</translation>
         </message>
         <message>
+            <source>%1: work offsets cannot be kept: %2</source>
+            <translation>%1: рабочие смещения нельзя сохранить: %2</translation>
+        </message>
+        <message>
             <source>%1–%2 mm high (%3 %)</source>
             <translation>на высоте %1–%2 mm (%3 %)</translation>
         </message>
         <message>
             <source>%1–%2°, through 0° (%3 %)</source>
             <translation>%1–%2°, через 0° (%3 %)</translation>
+        </message>
+        <message>
+            <source>%2 (%1 times, here first)</source>
+            <translation>%2 (раз: %1, здесь первый)</translation>
         </message>
         <message>
             <source>%2 (line %1 of the program)</source>
@@ -614,6 +782,18 @@
         <message>
             <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
             <translation>здесь %3, а ожидается таблица [%1]; её ключи пишите под [%2]</translation>
+        </message>
+        <message>
+            <source>'%1' begins no word</source>
+            <translation>с «%1» не начинается ни одно слово</translation>
+        </message>
+        <message>
+            <source>'%1' is neither an operator nor ]</source>
+            <translation>«%1» — не оператор и не ]</translation>
+        </message>
+        <message>
+            <source>'%1...' is more than 1000000000</source>
+            <translation>«%1...» больше 1000000000</translation>
         </message>
         <message>
             <source>(told of line %1)</source>
@@ -648,12 +828,28 @@
             <translation>от 10 до 200 % плановой подачи, целым числом</translation>
         </message>
         <message>
+            <source>100 blocks within each other</source>
+            <translation>100 вложенных блоков</translation>
+        </message>
+        <message>
+            <source>100 calls within each other</source>
+            <translation>100 вложенных вызовов</translation>
+        </message>
+        <message>
             <source>3 of 3</source>
             <translation>3 из 3</translation>
         </message>
         <message>
             <source>99 % of the ticks were no later; page Real time tells more</source>
             <translation>99 % тактов опаздывали не больше; подробнее на странице «Реальное время»</translation>
+        </message>
+        <message>
+            <source>&lt; has no &gt;</source>
+            <translation>у &lt; нет &gt;</translation>
+        </message>
+        <message>
+            <source>&lt; is missing</source>
+            <translation>нет &lt;</translation>
         </message>
         <message>
             <source>&lt;%1&gt; is left out.</source>
@@ -740,8 +936,20 @@
             <translation>Окно закрылось раньше, чем это было передано или сохранено. Ничего не передаётся и не движется.</translation>
         </message>
         <message>
+            <source>ACOS of a value beyond 1</source>
+            <translation>ACOS значения больше 1 по модулю</translation>
+        </message>
+        <message>
             <source>ALARM</source>
             <translation>АВАРИЯ</translation>
+        </message>
+        <message>
+            <source>ASIN of a value beyond 1</source>
+            <translation>ASIN значения больше 1 по модулю</translation>
+        </message>
+        <message>
+            <source>ATAN takes two values: ATAN[y]/[x]</source>
+            <translation>ATAN принимает два значения: ATAN[y]/[x]</translation>
         </message>
         <message>
             <source>About Psicarve</source>
@@ -1465,6 +1673,14 @@
 ОСТАНОВ (F1)</translation>
         </message>
         <message>
+            <source>EXISTS asks for a parameter</source>
+            <translation>EXISTS спрашивает о параметре</translation>
+        </message>
+        <message>
+            <source>EXISTS[ has no ]</source>
+            <translation>у EXISTS[ нет ]</translation>
+        </message>
+        <message>
             <source>Each block is a program of its own: G21 G17 G90 G94 G54 G80 hold before it, without a feed, and the spindle is off behind it.</source>
             <translation>Каждый кадр — отдельная программа: перед ним действуют G21 G17 G90 G94 G54 G80, подача не задана, после него шпиндель выключен.</translation>
         </message>
@@ -1551,6 +1767,10 @@
         <message>
             <source>F is along X, Y and Z, or of the faster tool over the piece, which turns under it.</source>
             <translation>F — скорость вдоль X, Y и Z или скорость более быстрого инструмента по детали, которая под ним вращается.</translation>
+        </message>
+        <message>
+            <source>F stands beside new units, and counts in these</source>
+            <translation>F стоит рядом со сменой единиц и считается в новых</translation>
         </message>
         <message>
             <source>F1  emergency stop, everywhere
@@ -1763,6 +1983,62 @@ F12  этот список</translation>
         <message>
             <source>G0 of C turns as it is written, or the shortest way to the same direction.</source>
             <translation>G0 оси C поворачивает, как написано, или кратчайшим путём к тому же направлению.</translation>
+        </message>
+        <message>
+            <source>G10 L20 sets no rotation</source>
+            <translation>G10 L20 не задаёт поворота</translation>
+        </message>
+        <message>
+            <source>G10 has no L</source>
+            <translation>у G10 нет L</translation>
+        </message>
+        <message>
+            <source>G10 has no P, the system</source>
+            <translation>у G10 нет P, номера системы</translation>
+        </message>
+        <message>
+            <source>G10 is read with L2 and L20</source>
+            <translation>G10 читается с L2 и L20</translation>
+        </message>
+        <message>
+            <source>G12.1 with the tip %1 mm from the axis, and there is no direction</source>
+            <translation>G12.1, а остриё в %1 mm от оси, и направления нет</translation>
+        </message>
+        <message>
+            <source>G12.1, and X 0 lies %1 mm off the axis</source>
+            <translation>G12.1, а X 0 лежит в %1 mm от оси</translation>
+        </message>
+        <message>
+            <source>G12.1, and the program has not said yet where X and C are</source>
+            <translation>G12.1, а программа ещё не сказала, где X и C</translation>
+        </message>
+        <message>
+            <source>G12.1, and the tip of r2, which follows, stands %1 mm further in</source>
+            <translation>G12.1, а остриё ведомой r2 стоит на %1 mm ближе к оси</translation>
+        </message>
+        <message>
+            <source>G12.1, and the tip of r2, which follows, stands %1 mm further out</source>
+            <translation>G12.1, а остриё ведомой r2 стоит на %1 mm дальше от оси</translation>
+        </message>
+        <message>
+            <source>G4 has no P, the seconds</source>
+            <translation>у G4 нет P, секунд</translation>
+        </message>
+        <message>
+            <source>G53 while G91 holds</source>
+            <translation>G53 при действующем G91</translation>
+        </message>
+        <message>
+            <source>G53 without a straight motion</source>
+            <translation>G53 без прямолинейного перемещения</translation>
+        </message>
+        <message>
+            <source>G64 P of %1 mm; the machine can have %2 to %3 mm</source>
+            <translation>P в G64 — %1 mm; станок может от %2 до %3 mm</translation>
+        </message>
+        <message>
+            <source>G7.1 has no C, the cylinder's radius</source>
+            <translation>у G7.1 нет C, радиуса цилиндра</translation>
         </message>
         <message>
             <source>Gamma, smooth</source>
@@ -2289,6 +2565,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Вид</translation>
         </message>
         <message>
+            <source>L of M66 is 0 to 4</source>
+            <translation>L в M66 — от 0 до 4</translation>
+        </message>
+        <message>
+            <source>L of M66 is a way to wait</source>
+            <translation>L в M66 — способ ожидания</translation>
+        </message>
+        <message>
+            <source>LN of a value that is not above 0</source>
+            <translation>LN значения, которое не больше 0</translation>
+        </message>
+        <message>
             <source>Language</source>
             <translation>Язык</translation>
         </message>
@@ -2563,6 +2851,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Lowest point of the model above the table; baked into a job's heights.</source>
             <translation>Нижняя точка модели над столом; входит в высоты задания.</translation>
+        </message>
+        <message>
+            <source>M4: the machine's spindle does not turn back</source>
+            <translation>M4: шпиндель станка не вращается назад</translation>
+        </message>
+        <message>
+            <source>M98 has no P, the number of the subroutine</source>
+            <translation>у M98 нет P, номера подпрограммы</translation>
+        </message>
+        <message>
+            <source>M99 ends what M98 has called, and endsub what call has</source>
+            <translation>M99 кончает вызванное через M98, а endsub — через call</translation>
+        </message>
+        <message>
+            <source>M99 in the main program begins it again for ever</source>
+            <translation>M99 в главной программе начинает её снова без конца</translation>
         </message>
         <message>
             <source>MDI</source>
@@ -2857,6 +3161,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нигде не слишком глубоко</translation>
         </message>
         <message>
+            <source>O has neither a number nor a &lt;name&gt;</source>
+            <translation>у O нет ни числа, ни &lt;имени&gt;</translation>
+        </message>
+        <message>
+            <source>O%1 has gone by in the stream</source>
+            <translation>O%1 уже прошло в потоке</translation>
+        </message>
+        <message>
             <source>OFF in other than 3 dimensions</source>
             <translation>OFF не в трёх измерениях</translation>
         </message>
@@ -3035,6 +3347,26 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Output to test</source>
             <translation>Проверяемый выход</translation>
+        </message>
+        <message>
+            <source>P is a number of an output</source>
+            <translation>P — номер выхода</translation>
+        </message>
+        <message>
+            <source>P is a system's number</source>
+            <translation>P — номер системы координат</translation>
+        </message>
+        <message>
+            <source>P is the number of a subroutine</source>
+            <translation>P — номер подпрограммы</translation>
+        </message>
+        <message>
+            <source>P of %1 is 0, off, or 1, on</source>
+            <translation>P в %1 — 0 (выкл.) или 1 (вкл.)</translation>
+        </message>
+        <message>
+            <source>P of an arc counts its turns</source>
+            <translation>P у дуги — число её оборотов</translation>
         </message>
         <message>
             <source>POSITIONING</source>
@@ -3365,6 +3697,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Берёт это задание в окно вместо %1</translation>
         </message>
         <message>
+            <source>Q of G64 is not used: the tolerance of P holds for all</source>
+            <translation>Q в G64 не используется: допуск P действует для всего</translation>
+        </message>
+        <message>
+            <source>R is below the depth of the hole</source>
+            <translation>R ниже дна отверстия</translation>
+        </message>
+        <message>
             <source>R1 %1 mm</source>
             <translation>R1 %1 mm</translation>
         </message>
@@ -3429,6 +3769,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>R2 enable</source>
             <translation>R2 включение</translation>
+        </message>
+        <message>
+            <source>R2 follows R1 (profile: gcode.second_head), and they stand at different radii; bring them to one radius</source>
+            <translation>R2 следует за R1 (профиль: gcode.second_head), а радиусы у них разные; приведите их к одному радиусу</translation>
         </message>
         <message>
             <source>R2 half</source>
@@ -3721,12 +4065,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Крутит цикл тактов самого ядра с пустым тактом; станка не касается</translation>
         </message>
         <message>
+            <source>S: the machine's spindle is only switched</source>
+            <translation>S: шпиндель станка только включается и выключается</translation>
+        </message>
+        <message>
             <source>SCHED_FIFO, priority %1</source>
             <translation>SCHED_FIFO, приоритет %1</translation>
         </message>
         <message>
             <source>SIMULATOR</source>
             <translation>СИМУЛЯТОР</translation>
+        </message>
+        <message>
+            <source>SQRT of a value below 0</source>
+            <translation>SQRT значения меньше 0</translation>
         </message>
         <message>
             <source>STOPPING</source>
@@ -5443,6 +5795,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Отсчёт: профиль станка здесь неизвестен</translation>
         </message>
         <message>
+            <source>[ has no ]</source>
+            <translation>у [ нет ]</translation>
+        </message>
+        <message>
+            <source>[ is missing</source>
+            <translation>нет [</translation>
+        </message>
+        <message>
             <source>a %1 drawing, which is not read; save it as %2</source>
             <translation>чертёж %1, который не читается; сохраните его как %2</translation>
         </message>
@@ -5491,12 +5851,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>двоичный чертёж DXF; сохраните его текстом (ASCII DXF)</translation>
         </message>
         <message>
+            <source>a block holds words, comments, / and %</source>
+            <translation>в кадре бывают слова, комментарии, / и %</translation>
+        </message>
+        <message>
+            <source>a block of more than 100000 holes and pecks</source>
+            <translation>кадр с более чем 100000 отверстий и заходов</translation>
+        </message>
+        <message>
+            <source>a comment begins within a comment</source>
+            <translation>комментарий начинается внутри комментария</translation>
+        </message>
+        <message>
             <source>a control character in the text; remove it</source>
             <translation>в тексте управляющий символ; удалите его</translation>
         </message>
         <message>
             <source>a coordinate is not a finite number</source>
             <translation>координата — не конечное число</translation>
+        </message>
+        <message>
+            <source>a cycle is done 1 to 100000 times</source>
+            <translation>цикл выполняется от 1 до 100000 раз</translation>
+        </message>
+        <message>
+            <source>a cycle moves X, Y and Z alone</source>
+            <translation>цикл движет только X, Y и Z</translation>
+        </message>
+        <message>
+            <source>a cycle while %1 holds</source>
+            <translation>цикл при действующем %1</translation>
+        </message>
+        <message>
+            <source>a cycle while G93 holds</source>
+            <translation>цикл при действующем G93</translation>
+        </message>
+        <message>
+            <source>a cylinder's radius of less than 0</source>
+            <translation>радиус цилиндра меньше 0</translation>
         </message>
         <message>
             <source>a damaged %1 picture</source>
@@ -5527,8 +5919,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>дата или время</translation>
         </message>
         <message>
+            <source>a division by 0</source>
+            <translation>деление на 0</translation>
+        </message>
+        <message>
             <source>a drawing without a width goes not all round</source>
             <translation>чертёж без ширины не обойдёт весь оборот</translation>
+        </message>
+        <message>
+            <source>a drawn way is carved as with "path"</source>
+            <translation>начерченный путь режется как при "path"</translation>
+        </message>
+        <message>
+            <source>a dwell of %1 s; the machine takes %2 s, a day, at most</source>
+            <translation>выдержка %1 s; станок может не больше %2 s, суток</translation>
+        </message>
+        <message>
+            <source>a dwell of less than 0 s</source>
+            <translation>выдержка меньше 0 s</translation>
         </message>
         <message>
             <source>a face needs at least three vertices</source>
@@ -5563,8 +5971,44 @@ N, Shift+N  следующая, предыдущая запись
             <translation>слой занимает %1 импульсов Ψ, а пол-оборота этого станка — %2; нарежьте модель для профиля этого станка</translation>
         </message>
         <message>
+            <source>a line is carved as with "path": both heads move</source>
+            <translation>прямая режется как при "path": движутся обе головки</translation>
+        </message>
+        <message>
+            <source>a line is carved as with "path": psi turns</source>
+            <translation>прямая режется как при "path": вращается psi</translation>
+        </message>
+        <message>
+            <source>a move that cuts, and the feed is 0</source>
+            <translation>рабочее перемещение, а подача 0</translation>
+        </message>
+        <message>
+            <source>a move under G93 without F</source>
+            <translation>перемещение при G93 без F</translation>
+        </message>
+        <message>
+            <source>a move under G95, and no spindle speed</source>
+            <translation>перемещение при G95, а скорости шпинделя нет</translation>
+        </message>
+        <message>
+            <source>a name without letters</source>
+            <translation>имя без букв</translation>
+        </message>
+        <message>
+            <source>a negative number to a power that is not whole</source>
+            <translation>отрицательное число в нецелой степени</translation>
+        </message>
+        <message>
             <source>a number</source>
             <translation>число</translation>
+        </message>
+        <message>
+            <source>a number alone begins a subroutine for M98, within another block</source>
+            <translation>число само по себе начинает подпрограмму для M98, а стоит внутри другого блока</translation>
+        </message>
+        <message>
+            <source>a number of more than 1000000000</source>
+            <translation>число больше 1000000000</translation>
         </message>
         <message>
             <source>a number that no machine has</source>
@@ -5583,6 +6027,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>вытесненная страница останавливает такт до возврата; настоящий станок не запускается</translation>
         </message>
         <message>
+            <source>a parameter stands here, and sets nothing</source>
+            <translation>здесь стоит параметр и ничего не задаёт</translation>
+        </message>
+        <message>
+            <source>a peck is more than 0 deep</source>
+            <translation>глубина захода должна быть больше 0</translation>
+        </message>
+        <message>
             <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
             <translation>изображение высотой %1 mm имело бы ширину %2 mm, а окружность всего %3 mm: выберите высоту не более %4 mm, больший диаметр или полный оборот, который меняет пропорции</translation>
         </message>
@@ -5597,6 +6049,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a place</source>
             <translation>место</translation>
+        </message>
+        <message>
+            <source>a place beyond 1 000 000 000 mm</source>
+            <translation>место дальше 1 000 000 000 mm</translation>
         </message>
         <message>
             <source>a point</source>
@@ -5621,6 +6077,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>a pulse, its gap and the writes take %1 us, more than a tick of %2 us; lengthen tick.period_us, shorten port.step_high_ns or port.step_low_ns, or set port.pulses = "over-ticks"</source>
             <translation>импульс, пауза и запись в порт занимают %1 us, больше такта в %2 us; увеличьте tick.period_us, сократите port.step_high_ns или port.step_low_ns или задайте port.pulses = "over-ticks"</translation>
+        </message>
+        <message>
+            <source>a radius of %1 mm does not reach the end, which is %2 mm away</source>
+            <translation>радиус %1 mm не достаёт до конца, до которого %2 mm</translation>
         </message>
         <message>
             <source>a record was refused</source>
@@ -5655,6 +6115,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>строка</translation>
         </message>
         <message>
+            <source>a subroutine within another block</source>
+            <translation>подпрограмма внутри другого блока</translation>
+        </message>
+        <message>
             <source>a switch was tripped until just now; try again</source>
             <translation>концевик был замкнут до последнего мгновения; повторите</translation>
         </message>
@@ -5671,6 +6135,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>текст длиной %1 байт; допустимо от %2 до %3 байт</translation>
         </message>
         <message>
+            <source>a tolerance of less than 0</source>
+            <translation>допуск меньше 0</translation>
+        </message>
+        <message>
             <source>a tool change (M6); Resume goes on</source>
             <translation>смена инструмента (M6); «Продолжить» ведёт дальше</translation>
         </message>
@@ -5683,8 +6151,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>преобразование не читается; элемент пропущен.</translation>
         </message>
         <message>
+            <source>a value is missing</source>
+            <translation>нет значения</translation>
+        </message>
+        <message>
             <source>a virtual machine</source>
             <translation>виртуальная машина</translation>
+        </message>
+        <message>
+            <source>a wait of less than 0 s</source>
+            <translation>ожидание меньше 0 s</translation>
+        </message>
+        <message>
+            <source>a way of %1 s; the machine takes %2 s, a day, at most</source>
+            <translation>путь длится %1 s; станок может не больше %2 s, суток</translation>
+        </message>
+        <message>
+            <source>a way of more than 100000 chords</source>
+            <translation>путь более чем из 100000 хорд</translation>
         </message>
         <message>
             <source>a whole number</source>
@@ -5701,6 +6185,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>about %1 left</source>
             <translation>ещё около %1</translation>
+        </message>
+        <message>
+            <source>add the word</source>
+            <translation>добавьте это слово</translation>
         </message>
         <message>
             <source>alarm</source>
@@ -5739,6 +6227,58 @@ N, Shift+N  следующая, предыдущая запись
             <translation>разрешено CAP_SYS_RAWIO</translation>
         </message>
         <message>
+            <source>an O word stands behind other words</source>
+            <translation>слово O стоит после других слов</translation>
+        </message>
+        <message>
+            <source>an arc has 1 to 1000000 turns</source>
+            <translation>у дуги от 1 до 1000000 оборотов</translation>
+        </message>
+        <message>
+            <source>an arc in %1 does not move Y and one head</source>
+            <translation>дуга в %1 не движет Y и одну головку</translation>
+        </message>
+        <message>
+            <source>an arc in %1 of a system that is rotated</source>
+            <translation>дуга в %1 в повёрнутой системе координат</translation>
+        </message>
+        <message>
+            <source>an arc of more than 100000 chords</source>
+            <translation>дуга более чем из 100000 хорд</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: another axis moves with it</source>
+            <translation>дуга остаётся хордами: с ней движется ещё одна ось</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: both heads draw it</source>
+            <translation>дуга остаётся хордами: её чертят обе головки</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: it comes within two pulses of the end of a travel or of the core</source>
+            <translation>дуга остаётся хордами: она ближе двух импульсов к концу хода или к сердцевине</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its ends are not, to a pulse, as far from the centre as each other</source>
+            <translation>дуга остаётся хордами: её концы с точностью до импульса не одинаково далеки от центра</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its ends differ and are within 16 pulses of each other</source>
+            <translation>дуга остаётся хордами: её концы различны, но ближе 16 импульсов друг к другу</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its head and y differ in pulses per mm</source>
+            <translation>дуга остаётся хордами: у её головки и y разное число импульсов на mm</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its radius is below 16 pulses</source>
+            <translation>дуга остаётся хордами: её радиус меньше 16 импульсов</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its radius is too large</source>
+            <translation>дуга остаётся хордами: её радиус слишком велик</translation>
+        </message>
+        <message>
             <source>an arc takes R1 and Y, or R2 and Y</source>
             <translation>для дуги нужны R1 и Y или R2 и Y</translation>
         </message>
@@ -5751,8 +6291,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>массив из двух чисел</translation>
         </message>
         <message>
+            <source>an axis word stands beside %1</source>
+            <translation>слово оси стоит рядом с %1</translation>
+        </message>
+        <message>
+            <source>an expression stands here without a letter</source>
+            <translation>здесь выражение без буквы</translation>
+        </message>
+        <message>
             <source>an input cannot be on pin %1, which is an output; use pin 10 to 13 or 15</source>
             <translation>вход не может быть на выводе %1: это выход; возьмите вывод от 10 до 13 или 15</translation>
+        </message>
+        <message>
+            <source>an offset beyond 1 000 000 000 mm or degrees</source>
+            <translation>смещение больше 1 000 000 000 mm или градусов</translation>
         </message>
         <message>
             <source>an optional stop (M1); Resume goes on</source>
@@ -5767,6 +6319,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>проверяется выход; сначала закончите проверку</translation>
         </message>
         <message>
+            <source>another code stands beside %1</source>
+            <translation>другой код стоит рядом с %1</translation>
+        </message>
+        <message>
             <source>another job was carved last</source>
             <translation>в последний раз вырезалось другое задание</translation>
         </message>
@@ -5777,6 +6333,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>another process has the pins recorded, or this core cannot record them</source>
             <translation>выводы записывает другой процесс, или это ядро не может их записывать</translation>
+        </message>
+        <message>
+            <source>another process has the work offsets, as the one that runs a program has; wait for its end, or stop it</source>
+            <translation>рабочие смещения заняты другим процессом, например исполняющим программу; дождитесь его конца или остановите его</translation>
         </message>
         <message>
             <source>another program is being sent (process %1); wait for its end</source>
@@ -5835,6 +6395,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>предположен</translation>
         </message>
         <message>
+            <source>at X %1 C %2 mm the tip of %3 comes to %4 mm, and the core that it must not reach ends at %5 mm</source>
+            <translation>у X %1 C %2 mm остриё %3 приходит в %4 mm, а сердцевина, в которую нельзя заходить, кончается на %5 mm</translation>
+        </message>
+        <message>
+            <source>at X %1 C %2 mm the way passes the axis</source>
+            <translation>у X %1 C %2 mm путь проходит через ось</translation>
+        </message>
+        <message>
             <source>at least %1</source>
             <translation>не меньше %1</translation>
         </message>
@@ -5891,6 +6459,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>начало и конец дуги не на равном расстоянии от её центра, или дуга слишком мала</translation>
         </message>
         <message>
+            <source>begin and end with one number or name, one block within the other</source>
+            <translation>начинайте и кончайте одним номером или именем, один блок внутри другого</translation>
+        </message>
+        <message>
             <source>being made</source>
             <translation>составляется</translation>
         </message>
@@ -5933,6 +6505,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>box centre</source>
             <translation>центр</translation>
+        </message>
+        <message>
+            <source>brackets and signs in 64 levels</source>
+            <translation>скобки и знаки в 64 уровня</translation>
+        </message>
+        <message>
+            <source>bring X and C to known places first, with X 0 on the axis, no rotation and both tips of one X alike</source>
+            <translation>сначала приведите X и C в известные места: X 0 на оси, без поворота, оба острия одного X одинаково</translation>
         </message>
         <message>
             <source>built-in profile</source>
@@ -6007,6 +6587,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>часы</translation>
         </message>
         <message>
+            <source>close every [ with ], and every &lt; of a name with &gt;</source>
+            <translation>закройте каждую [ знаком ], а каждую &lt; имени знаком &gt;</translation>
+        </message>
+        <message>
             <source>closed, all facets turned alike</source>
             <translation>замкнута, все грани повёрнуты одинаково</translation>
         </message>
@@ -6079,12 +6663,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>повреждён: размеры и смещения не сходятся</translation>
         </message>
         <message>
+            <source>docs/gcode.md says which ways run step by step</source>
+            <translation>какие пути идут по шагам, сказано в docs/gcode.md</translation>
+        </message>
+        <message>
             <source>done</source>
             <translation>готово</translation>
         </message>
         <message>
             <source>doubled: %1</source>
             <translation>повторов: %1</translation>
+        </message>
+        <message>
+            <source>draw arcs in Y and one head: G17 or G19, with the letters of lathes G18</source>
+            <translation>чертите дуги в Y и одной головке: G17 или G19, с буквами токарных станков G18</translation>
         </message>
         <message>
             <source>drive a real machine from a real computer</source>
@@ -6111,8 +6703,28 @@ N, Shift+N  следующая, предыдущая запись
             <translation>аварийный останов</translation>
         </message>
         <message>
+            <source>emergency stop by the operator</source>
+            <translation>аварийный останов оператором</translation>
+        </message>
+        <message>
+            <source>end the block before the program ends</source>
+            <translation>закончите блок до конца программы</translation>
+        </message>
+        <message>
+            <source>end the comment with ) on its line</source>
+            <translation>закончите комментарий знаком ) в его строке</translation>
+        </message>
+        <message>
+            <source>end the mode first, with G7.1 C0 or G13.1</source>
+            <translation>сначала закончите режим: G7.1 C0 или G13.1</translation>
+        </message>
+        <message>
             <source>end the program that holds it; psicarve status shows a core</source>
             <translation>завершите программу, которая его держит; psicarve status показывает ядро</translation>
+        </message>
+        <message>
+            <source>end the program with M2 or M30, or frame it with two lines of %</source>
+            <translation>закончите программу M2 или M30 либо заключите её между двумя строками с %</translation>
         </message>
         <message>
             <source>ended at layer %1 of %2</source>
@@ -6191,8 +6803,76 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задайте --cpu номер доступного процессора или any</translation>
         </message>
         <message>
+            <source>give F before the first move that cuts</source>
+            <translation>задайте F до первого рабочего перемещения</translation>
+        </message>
+        <message>
+            <source>give F in every such block while G93 holds</source>
+            <translation>задавайте F в каждом таком кадре, пока действует G93</translation>
+        </message>
+        <message>
+            <source>give G0, G1, G2 or G3 first</source>
+            <translation>сначала задайте G0, G1, G2 или G3</translation>
+        </message>
+        <message>
+            <source>give G7.1 with its C, G12.1 and G13.1 a block of their own</source>
+            <translation>дайте G7.1 с её C, G12.1 и G13.1 отдельный кадр</translation>
+        </message>
+        <message>
+            <source>give R half the way to the end at least</source>
+            <translation>задайте R не меньше половины расстояния до конца</translation>
+        </message>
+        <message>
+            <source>give S first, or use G94</source>
+            <translation>сначала задайте S или используйте G94</translation>
+        </message>
+        <message>
+            <source>give a value that the word can have</source>
+            <translation>задайте значение, которое слово может иметь</translation>
+        </message>
+        <message>
+            <source>give an O word a line of its own</source>
+            <translation>дайте слову O отдельную строку</translation>
+        </message>
+        <message>
+            <source>give centre and end with more digits</source>
+            <translation>задайте центр и конец с большим числом цифр</translation>
+        </message>
+        <message>
+            <source>give each subroutine its own number or name</source>
+            <translation>дайте каждой подпрограмме свой номер или имя</translation>
+        </message>
+        <message>
+            <source>give it a value that can be calculated</source>
+            <translation>задайте значение, которое можно вычислить</translation>
+        </message>
+        <message>
+            <source>give one code of a modal group in a block</source>
+            <translation>задавайте в кадре один код модальной группы</translation>
+        </message>
+        <message>
+            <source>give the centre in the plane's two words, or R alone</source>
+            <translation>задайте центр двумя словами плоскости или только R</translation>
+        </message>
+        <message>
+            <source>give the centre with two of I, J and K, or the radius with R</source>
+            <translation>задайте центр двумя из I, J и K или радиус через R</translation>
+        </message>
+        <message>
+            <source>give the centre: R does not tell where a whole circle lies</source>
+            <translation>задайте центр: по R не видно, где лежит полный круг</translation>
+        </message>
+        <message>
             <source>give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s</source>
             <translation>дайте ядру права реального времени, увеличьте tick.period_us или tick.missed_alarm_per_s</translation>
+        </message>
+        <message>
+            <source>give the length itself with G43.1</source>
+            <translation>задайте саму длину через G43.1</translation>
+        </message>
+        <message>
+            <source>give the letter once in a block</source>
+            <translation>задавайте букву в кадре один раз</translation>
         </message>
         <message>
             <source>granted</source>
@@ -6217,6 +6897,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>has been changed since it was read; decode it again</source>
             <translation>изменён после чтения; разберите его снова</translation>
+        </message>
+        <message>
+            <source>has been changed while it is run; what was read of it before is run</source>
+            <translation>изменён во время исполнения; исполняется прочитанное до этого</translation>
         </message>
         <message>
             <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
@@ -6339,6 +7023,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>это папка, а не файл модели</translation>
         </message>
         <message>
+            <source>is a folder; choose a program</source>
+            <translation>это папка; выберите программу</translation>
+        </message>
+        <message>
             <source>is a zip archive, but holds no 3MF model</source>
             <translation>это архив zip, но без модели 3MF</translation>
         </message>
@@ -6353,6 +7041,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>is no psicarve job or snapshot file</source>
             <translation>не файл задания или снимка psicarve</translation>
+        </message>
+        <message>
+            <source>is no regular file, and is read twice</source>
+            <translation>не обычный файл, а читается дважды</translation>
         </message>
         <message>
             <source>is not a regular file</source>
@@ -6377,6 +7069,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>it said nothing</source>
             <translation>она ничего не сообщила</translation>
+        </message>
+        <message>
+            <source>it was stopped in line %1; it can go on from there</source>
+            <translation>остановлена в строке %1; с неё можно продолжить</translation>
         </message>
         <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
@@ -6437,6 +7133,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>journal of the simulator, run %1</source>
             <translation>журнал симулятора, запуск %1</translation>
+        </message>
+        <message>
+            <source>keep the tip further out</source>
+            <translation>держите остриё дальше от оси</translation>
+        </message>
+        <message>
+            <source>keep the two tips further apart</source>
+            <translation>держите острия дальше друг от друга</translation>
         </message>
         <message>
             <source>kernel</source>
@@ -6523,12 +7227,32 @@ N, Shift+N  следующая, предыдущая запись
             <translation>мин. потеря</translation>
         </message>
         <message>
+            <source>leave the parameter as it is: only the machine sets it</source>
+            <translation>оставьте параметр как есть: его задаёт только станок</translation>
+        </message>
+        <message>
             <source>left</source>
             <translation>левая</translation>
         </message>
         <message>
             <source>left out: %1</source>
             <translation>отброшено: %1</translation>
+        </message>
+        <message>
+            <source>let the CAM system compensate: a radial tool has no side</source>
+            <translation>поручите коррекцию системе CAM: у радиального инструмента нет стороны</translation>
+        </message>
+        <message>
+            <source>let the CAM system write it out in plain words</source>
+            <translation>пусть система CAM выпишет это простыми словами</translation>
+        </message>
+        <message>
+            <source>let the CAM system write the blocks out, or take fewer passes</source>
+            <translation>пусть система CAM выпишет кадры, или уменьшите число проходов</translation>
+        </message>
+        <message>
+            <source>let the loop end, or move in it</source>
+            <translation>пусть цикл кончается или движет что-то</translation>
         </message>
         <message>
             <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: are its units inches? Height makes it larger</source>
@@ -6567,6 +7291,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>строка %1</translation>
         </message>
         <message>
+            <source>line %1 has more than 64 MiB: this is no program in G-code</source>
+            <translation>в строке %1 больше 64 MiB: это не программа в G-коде</translation>
+        </message>
+        <message>
             <source>line %1: %2 cannot count so far</source>
             <translation>строка %1: %2 не может отсчитать так далеко</translation>
         </message>
@@ -6577,6 +7305,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>line %1: %2 would come to %3, its travel is %4 to %5; move the work offset</source>
             <translation>строка %1: %2 пришла бы в %3, её ход от %4 до %5; сдвиньте смещение детали</translation>
+        </message>
+        <message>
+            <source>line %1: it is not known where %2 begins</source>
+            <translation>строка %1: неизвестно, откуда начинает %2</translation>
         </message>
         <message>
             <source>line %1: it would take more than %2 ms; change its feed or its dwell</source>
@@ -6639,6 +7371,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>поиск лучшей оси отменён</translation>
         </message>
         <message>
+            <source>loops and calls make more than %1 blocks</source>
+            <translation>циклы и вызовы дают больше %1 кадров</translation>
+        </message>
+        <message>
+            <source>loops and subroutines of a stream have more than 64 MiB</source>
+            <translation>циклы и подпрограммы потока занимают больше 64 MiB</translation>
+        </message>
+        <message>
             <source>low</source>
             <translation>низкий</translation>
         </message>
@@ -6653,6 +7393,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>marks %1 mm apart on a blank of %2 mm would be %3°; more than %4° is no error of mounting. Was the table turned by exactly half a turn?</source>
             <translation>метки в %1 mm друг от друга на заготовке %2 mm — это %3°; больше %4° — не погрешность монтажа. Стол повёрнут ровно на пол-оборота?</translation>
+        </message>
+        <message>
+            <source>may not be read by this user; let the machine's group read it, or name another folder: $PSICARVE_STATE</source>
+            <translation>этот пользователь не может его прочитать; разрешите чтение группе станка или укажите другую папку: $PSICARVE_STATE</translation>
         </message>
         <message>
             <source>may not be written</source>
@@ -6723,6 +7467,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>больше %1 участков, столько нет ни в одном задании</translation>
         </message>
         <message>
+            <source>more than 10000 named parameters</source>
+            <translation>больше 10000 параметров с именами</translation>
+        </message>
+        <message>
+            <source>more than 10000 subroutines</source>
+            <translation>больше 10000 подпрограмм</translation>
+        </message>
+        <message>
+            <source>more than 1000000000 passes</source>
+            <translation>больше 1000000000 повторений</translation>
+        </message>
+        <message>
             <source>more than 512 MiB, which no drawing or picture needs</source>
             <translation>более 512 MiB: чертежу или изображению столько не нужно</translation>
         </message>
@@ -6745,6 +7501,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>move</source>
             <translation>перемещение</translation>
+        </message>
+        <message>
+            <source>move the work offset, or the part</source>
+            <translation>сдвиньте смещение детали или деталь</translation>
         </message>
         <message>
             <source>moving</source>
@@ -6779,6 +7539,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>сегмент %1 не обслуживает ни одно ядро</translation>
         </message>
         <message>
+            <source>no function begins so</source>
+            <translation>ни одна функция так не начинается</translation>
+        </message>
+        <message>
             <source>no job</source>
             <translation>нет задания</translation>
         </message>
@@ -6801,6 +7565,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>no longer in the machine</source>
             <translation>уже не в станке</translation>
+        </message>
+        <message>
+            <source>no motion is in force that uses axis words</source>
+            <translation>не действует движение, использующее слова осей</translation>
+        </message>
+        <message>
+            <source>no parameter has this number</source>
+            <translation>параметра с таким номером нет</translation>
         </message>
         <message>
             <source>no pin</source>
@@ -6959,6 +7731,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ничего</translation>
         </message>
         <message>
+            <source>nothing in the block uses %1</source>
+            <translation>в кадре ничто не использует %1</translation>
+        </message>
+        <message>
             <source>nothing is open</source>
             <translation>ничего не открыто</translation>
         </message>
@@ -6969,6 +7745,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>nothing was carved yet</source>
             <translation>ещё ничего не вырезано</translation>
+        </message>
+        <message>
+            <source>o%1 is a subroutine in line %2</source>
+            <translation>o%1 — подпрограмма в строке %2</translation>
+        </message>
+        <message>
+            <source>o%1 sub is called by o%1 call</source>
+            <translation>o%1 sub вызывается через o%1 call</translation>
         </message>
         <message>
             <source>of %1</source>
@@ -7031,6 +7815,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>выход</translation>
         </message>
         <message>
+            <source>outputs and inputs have numbers 0 to 63</source>
+            <translation>номера выходов и входов — от 0 до 63</translation>
+        </message>
+        <message>
             <source>over-ticks or within-tick</source>
             <translation>over-ticks или within-tick</translation>
         </message>
@@ -7045,6 +7833,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>parallel port</source>
             <translation>параллельный порт</translation>
+        </message>
+        <message>
+            <source>pass 30 values at most</source>
+            <translation>передавайте не больше 30 значений</translation>
         </message>
         <message>
             <source>passed</source>
@@ -7187,6 +7979,22 @@ N, Shift+N  следующая, предыдущая запись
             <translation>импульсы и счётчики — целые числа</translation>
         </message>
         <message>
+            <source>put % on a line of its own, as the first and the last one</source>
+            <translation>ставьте % в отдельную строку, первую и последнюю</translation>
+        </message>
+        <message>
+            <source>put it where docs/gcode.md allows it</source>
+            <translation>поставьте его туда, где допускает docs/gcode.md</translation>
+        </message>
+        <message>
+            <source>put one of the two into a block of its own</source>
+            <translation>перенесите одно из двух в отдельный кадр</translation>
+        </message>
+        <message>
+            <source>put the units into a block before the feed</source>
+            <translation>задайте единицы в кадре перед подачей</translation>
+        </message>
+        <message>
             <source>queue: %1 of %2</source>
             <translation>очередь: %1 из %2</translation>
         </message>
@@ -7267,6 +8075,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>продолжите или остановите</translation>
         </message>
         <message>
+            <source>return outside a subroutine</source>
+            <translation>return вне подпрограммы</translation>
+        </message>
+        <message>
             <source>right</source>
             <translation>правая</translation>
         </message>
@@ -7295,6 +8107,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>run и pass не растут по одному</translation>
         </message>
         <message>
+            <source>say with P how near corners are passed</source>
+            <translation>задайте через P, насколько близко проходить углы</translation>
+        </message>
+        <message>
+            <source>say with an axis word what is to be done</source>
+            <translation>скажите словом оси, что делать</translation>
+        </message>
+        <message>
             <source>says nothing here</source>
             <translation>здесь ничего не значит</translation>
         </message>
@@ -7309,6 +8129,22 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>segment lost</source>
             <translation>сегмент потерян</translation>
+        </message>
+        <message>
+            <source>set R above the depth of the hole</source>
+            <translation>задайте R выше дна отверстия</translation>
+        </message>
+        <message>
+            <source>set the centre off the arc</source>
+            <translation>задайте центр вне концов дуги</translation>
+        </message>
+        <message>
+            <source>set the parameter before it is used</source>
+            <translation>задайте параметр до использования</translation>
+        </message>
+        <message>
+            <source>set the speed at the spindle</source>
+            <translation>задайте скорость на самом шпинделе</translation>
         </message>
         <message>
             <source>shared memory</source>
@@ -7347,12 +8183,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>нарезка отменена</translation>
         </message>
         <message>
+            <source>something stands behind the O word</source>
+            <translation>после слова O что-то стоит</translation>
+        </message>
+        <message>
             <source>spindle</source>
             <translation>шпиндель</translation>
         </message>
         <message>
             <source>spiral</source>
             <translation>спираль</translation>
+        </message>
+        <message>
+            <source>split the block: a line has 1024 bytes at most</source>
+            <translation>разделите кадр: в строке не больше 1024 байт</translation>
         </message>
         <message>
             <source>stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved</source>
@@ -7419,12 +8263,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>остановлено в %1</translation>
         </message>
         <message>
+            <source>stopped by the operator</source>
+            <translation>остановлена оператором</translation>
+        </message>
+        <message>
             <source>stopped in layer %1</source>
             <translation>остановлено в слое %1</translation>
         </message>
         <message>
             <source>stopping</source>
             <translation>останавливается</translation>
+        </message>
+        <message>
+            <source>store the program in a file: there it may be of any length</source>
+            <translation>сохраните программу в файл: там она может быть любой длины</translation>
         </message>
         <message>
             <source>straight line</source>
@@ -7441,6 +8293,30 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>swapoff --all while carving, or more memory</source>
             <translation>swapoff --all во время резьбы или больше памяти</translation>
+        </message>
+        <message>
+            <source>switch coolant by hand</source>
+            <translation>включайте охлаждение вручную</translation>
+        </message>
+        <message>
+            <source>systems have numbers 0 to 9</source>
+            <translation>номера систем — от 0 до 9</translation>
+        </message>
+        <message>
+            <source>take it out: nothing is wired there</source>
+            <translation>уберите: там ничего не подключено</translation>
+        </message>
+        <message>
+            <source>take it out: the operator's overrides always hold</source>
+            <translation>уберите: коррекция оператора действует всегда</translation>
+        </message>
+        <message>
+            <source>take the inner ( away</source>
+            <translation>уберите внутреннюю (</translation>
+        </message>
+        <message>
+            <source>take the word away, or add the code that it is for</source>
+            <translation>уберите слово или добавьте код, для которого оно</translation>
         </message>
         <message>
             <source>taken up to line %1</source>
@@ -7475,6 +8351,26 @@ N, Shift+N  следующая, предыдущая запись
             <translation>припуск должен быть от 0 до %1, а не %2</translation>
         </message>
         <message>
+            <source>the arc ends where it begins</source>
+            <translation>дуга кончается там, где начинается</translation>
+        </message>
+        <message>
+            <source>the arc has a centre and a radius</source>
+            <translation>у дуги и центр, и радиус</translation>
+        </message>
+        <message>
+            <source>the arc has no centre and no radius</source>
+            <translation>у дуги нет ни центра, ни радиуса</translation>
+        </message>
+        <message>
+            <source>the arc's centre lies on one of its ends</source>
+            <translation>центр дуги лежит на одном из её концов</translation>
+        </message>
+        <message>
+            <source>the arc's radius is %1 mm at its begin and %2 mm at its end</source>
+            <translation>радиус дуги в начале %1 mm, а в конце %2 mm</translation>
+        </message>
+        <message>
             <source>the archive unpacks to far more than a model needs</source>
             <translation>архив распаковывается в объём, много больший, чем нужно модели</translation>
         </message>
@@ -7497,6 +8393,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the centre: no axis goes so far (%1)</source>
             <translation>центр: так далеко ни одна ось не ходит (%1)</translation>
+        </message>
+        <message>
+            <source>the comment has no end</source>
+            <translation>у комментария нет конца</translation>
         </message>
         <message>
             <source>the computer has too little free memory: end other programs</source>
@@ -7529,6 +8429,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the core ended before it answered</source>
             <translation>ядро завершилось, не ответив</translation>
+        </message>
+        <message>
+            <source>the core has another profile than %1; open the one that it was started with</source>
+            <translation>у ядра другой профиль, чем %1; откройте тот, с которым оно запущено</translation>
         </message>
         <message>
             <source>the core has refused the next line: only Stop is left</source>
@@ -7699,12 +8603,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>последний ряд не замыкает спираль</translation>
         </message>
         <message>
+            <source>the line has more than 1024 bytes</source>
+            <translation>в строке больше 1024 байт</translation>
+        </message>
+        <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>станок остановился (%1), его кто-то остановил</translation>
         </message>
         <message>
             <source>the machine has moved since the program was read; start it again</source>
             <translation>станок сдвинулся с тех пор, как программа была прочитана; запустите её снова</translation>
+        </message>
+        <message>
+            <source>the machine has no axis %1</source>
+            <translation>у станка нет оси %1</translation>
+        </message>
+        <message>
+            <source>the machine has no output for coolant</source>
+            <translation>у станка нет выхода для охлаждения</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>
@@ -7727,8 +8643,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ноль станка не найден; сначала найдите ноль</translation>
         </message>
         <message>
+            <source>the machine was moved or its spindle switched meanwhile; nothing was begun, start it again</source>
+            <translation>за это время станок сдвинули или переключили шпиндель; ничего не начато, пустите снова</translation>
+        </message>
+        <message>
             <source>the mesh has no volume (all of it is flat); there is nothing to carve</source>
             <translation>у сетки нет объёма (вся плоская); резать нечего</translation>
+        </message>
+        <message>
+            <source>the number of an O word is whole</source>
+            <translation>номер слова O — целое число</translation>
         </message>
         <message>
             <source>the port does not answer: switch the machine off by its own switch</source>
@@ -7759,6 +8683,26 @@ N, Shift+N  следующая, предыдущая запись
             <translation>программа доходит до ядра не такой, какой прочитана; запустите её снова</translation>
         </message>
         <message>
+            <source>the program ends before line %1; begin at an earlier line</source>
+            <translation>программа кончается до строки %1; начните с более ранней</translation>
+        </message>
+        <message>
+            <source>the program has no end</source>
+            <translation>у программы нет конца</translation>
+        </message>
+        <message>
+            <source>the program has no subroutine %1</source>
+            <translation>в программе нет подпрограммы %1</translation>
+        </message>
+        <message>
+            <source>the program is empty</source>
+            <translation>программа пуста</translation>
+        </message>
+        <message>
+            <source>the program was given up</source>
+            <translation>от программы отказались</translation>
+        </message>
+        <message>
             <source>the published job is damaged; publish it again</source>
             <translation>опубликованное задание повреждено; опубликуйте его снова</translation>
         </message>
@@ -7771,12 +8715,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>скорость должна быть больше 0</translation>
         </message>
         <message>
+            <source>the spindle is on; for a dry run switch it off</source>
+            <translation>шпиндель включён; для холостого прогона выключите его</translation>
+        </message>
+        <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
             <translation>шаг вглубь должен быть больше 0 mm и не больше %1, а не %2</translation>
         </message>
         <message>
             <source>the stepover must be more than 0 mm, not %1</source>
             <translation>шаг слоёв должен быть больше 0 mm, а не %1</translation>
+        </message>
+        <message>
+            <source>the stream ends within a line: it may have been torn off, and is not run</source>
+            <translation>поток кончается внутри строки: он мог оборваться, и она не исполняется</translation>
+        </message>
+        <message>
+            <source>the subroutine that M98 calls has no M99</source>
+            <translation>у подпрограммы, вызванной через M98, нет M99</translation>
         </message>
         <message>
             <source>the switch of the axis is open; there is nothing to back off from</source>
@@ -7807,8 +8763,20 @@ N, Shift+N  следующая, предыдущая запись
             <translation>острие %1 стояло бы на %2 mm дальше, чем считается; диаметр штифта %3 mm, и острие касается его на %4 mm?</translation>
         </message>
         <message>
+            <source>the tips of r1 and r2 are %1 mm apart, closer than head_clearance_mm = %2 mm</source>
+            <translation>между остриями r1 и r2 %1 mm, меньше head_clearance_mm = %2 mm</translation>
+        </message>
+        <message>
             <source>the travel from %1 to %2 mm is empty or reversed; give the lowest position first</source>
             <translation>ход от %1 до %2 mm пуст или перевёрнут; сначала укажите нижнее положение</translation>
+        </message>
+        <message>
+            <source>the value is infinite, or none at all</source>
+            <translation>значение бесконечно или не существует</translation>
+        </message>
+        <message>
+            <source>the work offsets have been changed since it was read; decode it again</source>
+            <translation>рабочие смещения изменены после чтения; разберите её снова</translation>
         </message>
         <message>
             <source>the zip archive is cut off or damaged</source>
@@ -7839,6 +8807,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>это не два числа; введите их так: 0.0 ... 60.0</translation>
         </message>
         <message>
+            <source>these work offsets cannot be kept</source>
+            <translation>эти рабочие смещения нельзя сохранить</translation>
+        </message>
+        <message>
             <source>this is no DXF file: it does not begin with a section</source>
             <translation>это не файл DXF: он не начинается с раздела</translation>
         </message>
@@ -7849,6 +8821,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>this is no whole number; enter %1 &lt;= value &lt;= %2</source>
             <translation>это не целое число; введите от %1 до %2</translation>
+        </message>
+        <message>
+            <source>this is no word that can follow O</source>
+            <translation>такое слово за O стоять не может</translation>
         </message>
         <message>
             <source>this is not TOML: %1; correct the line</source>
@@ -7915,12 +8891,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>поворот стола в слое [импульсы]</translation>
         </message>
         <message>
+            <source>turn the axis in a block before the cycle</source>
+            <translation>поверните ось в кадре перед циклом</translation>
+        </message>
+        <message>
             <source>turned by %1°</source>
             <translation>повёрнут на %1°</translation>
         </message>
         <message>
+            <source>two codes of the block use P</source>
+            <translation>P нужно двум кодам кадра</translation>
+        </message>
+        <message>
             <source>two programs on one port move motors by accident</source>
             <translation>две программы на одном порту двигают моторы случайно</translation>
+        </message>
+        <message>
+            <source>under G90.1 an arc has both %1 and %2</source>
+            <translation>при G90.1 у дуги есть и %1, и %2</translation>
         </message>
         <message>
             <source>under way</source>
@@ -7955,8 +8943,60 @@ N, Shift+N  следующая, предыдущая запись
             <translation>используйте --port ppdev:/dev/parport0</translation>
         </message>
         <message>
+            <source>use G17, or take the rotation away with G10 L2 R0</source>
+            <translation>используйте G17 или снимите поворот через G10 L2 R0</translation>
+        </message>
+        <message>
+            <source>use G53 in a block with G0 or G1</source>
+            <translation>используйте G53 в кадре с G0 или G1</translation>
+        </message>
+        <message>
+            <source>use G53 under G90</source>
+            <translation>используйте G53 при G90</translation>
+        </message>
+        <message>
+            <source>use G94 for cycles</source>
+            <translation>для циклов используйте G94</translation>
+        </message>
+        <message>
+            <source>use M3: the spindle is only switched</source>
+            <translation>используйте M3: шпиндель только включается и выключается</translation>
+        </message>
+        <message>
+            <source>use an O word as docs/gcode.md has them</source>
+            <translation>используйте слова O как в docs/gcode.md</translation>
+        </message>
+        <message>
+            <source>use fewer levels: 64 of brackets, 100 of O words, 100 of calls</source>
+            <translation>уменьшите число уровней: скобок до 64, слов O до 100, вызовов до 100</translation>
+        </message>
+        <message>
+            <source>use fewer names</source>
+            <translation>используйте меньше имён</translation>
+        </message>
+        <message>
+            <source>use one of the G codes of docs/gcode.md</source>
+            <translation>используйте G-код из docs/gcode.md</translation>
+        </message>
+        <message>
+            <source>use one of the M codes of docs/gcode.md</source>
+            <translation>используйте M-код из docs/gcode.md</translation>
+        </message>
+        <message>
             <source>use the GNU C library's allocator</source>
             <translation>используйте распределитель памяти библиотеки GNU C</translation>
+        </message>
+        <message>
+            <source>use the letters that [gcode] in the profile gives to the axes</source>
+            <translation>используйте буквы, данные осям в [gcode] профиля</translation>
+        </message>
+        <message>
+            <source>use the operators and functions of docs/gcode.md</source>
+            <translation>используйте операторы и функции из docs/gcode.md</translation>
+        </message>
+        <message>
+            <source>use the parameters #1 to #5601</source>
+            <translation>используйте параметры от #1 до #5601</translation>
         </message>
         <message>
             <source>virtual clock</source>
@@ -8001,6 +9041,26 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>without area: %1</source>
             <translation>без площади: %1</translation>
+        </message>
+        <message>
+            <source>write #number=value or #&lt;name&gt;=value</source>
+            <translation>пишите #номер=значение или #&lt;имя&gt;=значение</translation>
+        </message>
+        <message>
+            <source>write a number behind the letter</source>
+            <translation>напишите число после буквы</translation>
+        </message>
+        <message>
+            <source>write a whole number</source>
+            <translation>напишите целое число</translation>
+        </message>
+        <message>
+            <source>write it with fewer digits</source>
+            <translation>напишите с меньшим числом цифр</translation>
+        </message>
+        <message>
+            <source>write the subroutine into the same file</source>
+            <translation>поместите подпрограмму в тот же файл</translation>
         </message>
         <message>
             <source>yes</source>

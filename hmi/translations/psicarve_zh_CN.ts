@@ -20,6 +20,10 @@
             <translation>! 限位</translation>
         </message>
         <message>
+            <source>% stands among other things, or in the middle</source>
+            <translation>% 与其他内容混在一起，或位于程序中间</translation>
+        </message>
+        <message>
             <source>%1 % of the surface</source>
             <translation>表面的 %1 %</translation>
         </message>
@@ -36,6 +40,10 @@
             <translation>%1 与 %2 都在输出引脚 %3；请给其中一个另一引脚（只有使能信号可以共用）</translation>
         </message>
         <message>
+            <source>%1 and %2 both use axis words</source>
+            <translation>%1 和 %2 都使用轴字</translation>
+        </message>
+        <message>
             <source>%1 and %2 share pin %3, one active high and one active low; give both the same sign</source>
             <translation>%1 与 %2 共用引脚 %3，一个高有效、一个低有效；请给两者相同的符号</translation>
         </message>
@@ -50,6 +58,18 @@
         <message>
             <source>%1 and %2: nothing differs</source>
             <translation>%1 与 %2：没有不同</translation>
+        </message>
+        <message>
+            <source>%1 behind else</source>
+            <translation>else 之后出现 %1</translation>
+        </message>
+        <message>
+            <source>%1 blocks in loops make no move, no dwell and no stop</source>
+            <translation>循环中的 %1 个程序段没有运动、停留或停止</translation>
+        </message>
+        <message>
+            <source>%1 can only be read</source>
+            <translation>%1 只能读取</translation>
         </message>
         <message>
             <source>%1 cannot count so far</source>
@@ -82,6 +102,14 @@
         <message>
             <source>%1 cm³</source>
             <translation>%1 cm³</translation>
+        </message>
+        <message>
+            <source>%1 comes to %2 mm, and the core that it must not reach ends at %3 mm</source>
+            <translation>%1 到达 %2 mm，而不得进入的芯部止于 %3 mm</translation>
+        </message>
+        <message>
+            <source>%1 comes to %2 mm, its travel is %3 mm to %4 mm</source>
+            <translation>%1 到达 %2 mm，其行程为 %3 mm 至 %4 mm</translation>
         </message>
         <message>
             <source>%1 dir</source>
@@ -124,12 +152,56 @@
             <translation>%1 最多以 %2 运行，现按此速度运行</translation>
         </message>
         <message>
+            <source>%1 has a value of more than 1000000000</source>
+            <translation>%1 的值大于 1000000000</translation>
+        </message>
+        <message>
+            <source>%1 has no %2, the depth</source>
+            <translation>%1 没有深度 %2</translation>
+        </message>
+        <message>
+            <source>%1 has no P, the dwell</source>
+            <translation>%1 没有停留时间 P</translation>
+        </message>
+        <message>
+            <source>%1 has no P, the number</source>
+            <translation>%1 没有编号 P</translation>
+        </message>
+        <message>
+            <source>%1 has no Q, the depth of a peck</source>
+            <translation>%1 没有每次啄钻深度 Q</translation>
+        </message>
+        <message>
+            <source>%1 has no R</source>
+            <translation>%1 没有 R</translation>
+        </message>
+        <message>
+            <source>%1 has no axis word</source>
+            <translation>%1 没有轴字</translation>
+        </message>
+        <message>
             <source>%1 has no closed outline: its lines are engraved</source>
             <translation>%1 没有闭合轮廓：改为雕刻其线条</translation>
         </message>
         <message>
+            <source>%1 has no number</source>
+            <translation>%1 后没有数字</translation>
+        </message>
+        <message>
+            <source>%1 has no value</source>
+            <translation>%1 没有值</translation>
+        </message>
+        <message>
+            <source>%1 has no value in [ ]</source>
+            <translation>%1 没有 [ ] 中的值</translation>
+        </message>
+        <message>
             <source>%1 has no way left in this direction</source>
             <translation>%1 在此方向已无行程</translation>
+        </message>
+        <message>
+            <source>%1 in a system that is rotated</source>
+            <translation>在旋转的坐标系中使用 %1</translation>
         </message>
         <message>
             <source>%1 in use</source>
@@ -148,6 +220,10 @@
             <translation>%1 不允许；请输入 %2 到 %3</translation>
         </message>
         <message>
+            <source>%1 is less than 0</source>
+            <translation>%1 小于 0</translation>
+        </message>
+        <message>
             <source>%1 is no group code</source>
             <translation>%1 不是组码</translation>
         </message>
@@ -158,6 +234,14 @@
         <message>
             <source>%1 is no number to work with; give a finite one</source>
             <translation>%1 不是可用的数字；请输入有限的数</translation>
+        </message>
+        <message>
+            <source>%1 is no whole number</source>
+            <translation>%1 不是整数</translation>
+        </message>
+        <message>
+            <source>%1 is no word of an arc in %2</source>
+            <translation>%1 不是 %2 平面圆弧的字</translation>
         </message>
         <message>
             <source>%1 is not a number</source>
@@ -178,6 +262,10 @@
         <message>
             <source>%1 is not a word of ASCII STL</source>
             <translation>%1 不是 ASCII STL 的关键字</translation>
+        </message>
+        <message>
+            <source>%1 is not known</source>
+            <translation>%1 未知</translation>
         </message>
         <message>
             <source>%1 is not possible here; give %2</source>
@@ -312,6 +400,10 @@
             <translation>%2 个面中有 %1 个坐标不是有限数；此网格不可用</translation>
         </message>
         <message>
+            <source>%1 of %2 has no end</source>
+            <translation>%2 的 %1 没有结尾</translation>
+        </message>
+        <message>
             <source>%1 of %2 layers do not contain the axis.</source>
             <translation>%2 层中有 %1 层不包含轴心。</translation>
         </message>
@@ -340,6 +432,10 @@
             <translation>%2 条线中有 %1 条比刀具切宽 %3 mm 窄：按刀具宽度雕刻。</translation>
         </message>
         <message>
+            <source>%1 of %2 within %3 of %4</source>
+            <translation>%2 的 %1 位于 %4 的 %3 之内</translation>
+        </message>
+        <message>
             <source>%1 of %2, %3°</source>
             <translation>%1 / %2，%3°</translation>
         </message>
@@ -366,6 +462,10 @@
         <message>
             <source>%1 of the surface lies behind another part and cannot be reached. With Axis at: least lost, %2 of the surface and %3 of the layers would be lost; by the same look this axis loses %4 and %5.</source>
             <translation>%1 的表面位于其他部分之后，无法到达。若“轴心位于”选“损失最少”，将损失 %2 的表面和 %3 的层；按同样的估算，当前轴心损失 %4 和 %5。</translation>
+        </message>
+        <message>
+            <source>%1 outside the loop %2</source>
+            <translation>%1 不在循环 %2 之内</translation>
         </message>
         <message>
             <source>%1 planned</source>
@@ -408,6 +508,18 @@
             <translation>%1（自第 %2 层、本窗口打开时起）</translation>
         </message>
         <message>
+            <source>%1 stands beside %2</source>
+            <translation>%1 与 %2 同段</translation>
+        </message>
+        <message>
+            <source>%1 stands beside %2 of its group</source>
+            <translation>%1 与同组的 %2 同段</translation>
+        </message>
+        <message>
+            <source>%1 stands twice in the block</source>
+            <translation>%1 在程序段中出现两次</translation>
+        </message>
+        <message>
             <source>%1 step</source>
             <translation>%1 步进</translation>
         </message>
@@ -416,8 +528,16 @@
             <translation>%1 条线未闭合，已略去；第一条从 %2 到 %3 mm。</translation>
         </message>
         <message>
+            <source>%1 takes no more values</source>
+            <translation>%1 不接受更多的值</translation>
+        </message>
+        <message>
             <source>%1 tells of another piece: see which of them is mounted.</source>
             <translation>%1 记录的是另一个工件：请看安装的是哪一个。</translation>
+        </message>
+        <message>
+            <source>%1 tells of what this machine does not have</source>
+            <translation>%1 涉及本机床没有的功能</translation>
         </message>
         <message>
             <source>%1 ticks missed</source>
@@ -472,6 +592,18 @@
             <translation>此处应为表 [%2]，却是%1；请把它的键写在 [%3] 之下</translation>
         </message>
         <message>
+            <source>%1 while %2 holds</source>
+            <translation>%2 有效时使用 %1</translation>
+        </message>
+        <message>
+            <source>%1 while a cycle holds</source>
+            <translation>固定循环有效时使用 %1</translation>
+        </message>
+        <message>
+            <source>%1 without %2 before it</source>
+            <translation>%1 之前没有 %2</translation>
+        </message>
+        <message>
             <source>%1 would bring the tips closer than head_clearance_mm, %2</source>
             <translation>%1 会使两刀尖距离小于 head_clearance_mm（%2）</translation>
         </message>
@@ -482,6 +614,10 @@
         <message>
             <source>%1 would leave its travel, %2 to %3</source>
             <translation>%1 会超出行程 %2 至 %3</translation>
+        </message>
+        <message>
+            <source>%1 would take the feed's override from the operator</source>
+            <translation>%1 会取消操作员的进给倍率</translation>
         </message>
         <message>
             <source>%1 · ends %2</source>
@@ -544,8 +680,16 @@
             <translation>%1：%2 个值将改变</translation>
         </message>
         <message>
+            <source>%1: %2; %3</source>
+            <translation>%1：%2；%3</translation>
+        </message>
+        <message>
             <source>%1: core %2, here %3</source>
             <translation>%1：内核 %2，此处 %3</translation>
+        </message>
+        <message>
+            <source>%1: cutter compensation is not done</source>
+            <translation>%1：不支持刀具补偿</translation>
         </message>
         <message>
             <source>%1: homed</source>
@@ -572,6 +716,10 @@
             <translation>%1：第 %2 行：%3 没有位置：此处有同名的值；请改名</translation>
         </message>
         <message>
+            <source>%1: not found beside psicarve-hmi nor in PATH; install it there</source>
+            <translation>%1：在 psicarve-hmi 旁边和 PATH 中都找不到；请安装到那里</translation>
+        </message>
+        <message>
             <source>%1: not homed</source>
             <translation>%1：未回零</translation>
         </message>
@@ -584,6 +732,18 @@
             <translation>%1：该文件打开后已被他人修改；请另存为其他名称，或重新打开并放弃这些修改</translation>
         </message>
         <message>
+            <source>%1: the machine has no input for it</source>
+            <translation>%1：机床没有对应的输入</translation>
+        </message>
+        <message>
+            <source>%1: the machine has no such output or input</source>
+            <translation>%1：机床没有这样的输出或输入</translation>
+        </message>
+        <message>
+            <source>%1: there is no tool table</source>
+            <translation>%1：没有刀具表</translation>
+        </message>
+        <message>
             <source>%1: whether it is homed is not known</source>
             <translation>%1：是否已回零未知</translation>
         </message>
@@ -592,12 +752,20 @@
             <translation>%1：是否回零未记录</translation>
         </message>
         <message>
+            <source>%1: work offsets cannot be kept: %2</source>
+            <translation>%1：无法保存工件偏置：%2</translation>
+        </message>
+        <message>
             <source>%1–%2 mm high (%3 %)</source>
             <translation>高 %1–%2 mm（%3 %）</translation>
         </message>
         <message>
             <source>%1–%2°, through 0° (%3 %)</source>
             <translation>%1–%2°，经过 0°（%3 %）</translation>
+        </message>
+        <message>
+            <source>%2 (%1 times, here first)</source>
+            <translation>%2（共 %1 次，此处为第一次）</translation>
         </message>
         <message>
             <source>%2 (line %1 of the program)</source>
@@ -614,6 +782,18 @@
         <message>
             <source>%3 where the table [%1] is expected; put its keys below [%2]</source>
             <translation>此处应为表 [%1]，却是%3；请把它的键写在 [%2] 之下</translation>
+        </message>
+        <message>
+            <source>'%1' begins no word</source>
+            <translation>“%1”不能作为字的开头</translation>
+        </message>
+        <message>
+            <source>'%1' is neither an operator nor ]</source>
+            <translation>“%1”既不是运算符也不是 ]</translation>
+        </message>
+        <message>
+            <source>'%1...' is more than 1000000000</source>
+            <translation>“%1...”大于 1000000000</translation>
         </message>
         <message>
             <source>(told of line %1)</source>
@@ -648,12 +828,28 @@
             <translation>计划进给的 10 到 200 %，整数</translation>
         </message>
         <message>
+            <source>100 blocks within each other</source>
+            <translation>嵌套 100 层程序块</translation>
+        </message>
+        <message>
+            <source>100 calls within each other</source>
+            <translation>嵌套 100 层调用</translation>
+        </message>
+        <message>
             <source>3 of 3</source>
             <translation>3/3</translation>
         </message>
         <message>
             <source>99 % of the ticks were no later; page Real time tells more</source>
             <translation>99 % 的节拍不比这更迟；详见实时页</translation>
+        </message>
+        <message>
+            <source>&lt; has no &gt;</source>
+            <translation>&lt; 没有对应的 &gt;</translation>
+        </message>
+        <message>
+            <source>&lt; is missing</source>
+            <translation>缺少 &lt;</translation>
         </message>
         <message>
             <source>&lt;%1&gt; is left out.</source>
@@ -740,8 +936,20 @@
             <translation>窗口在其发布或保存之前结束。不会发布，也不会运动。</translation>
         </message>
         <message>
+            <source>ACOS of a value beyond 1</source>
+            <translation>ACOS 的自变量绝对值大于 1</translation>
+        </message>
+        <message>
             <source>ALARM</source>
             <translation>报警</translation>
+        </message>
+        <message>
+            <source>ASIN of a value beyond 1</source>
+            <translation>ASIN 的自变量绝对值大于 1</translation>
+        </message>
+        <message>
+            <source>ATAN takes two values: ATAN[y]/[x]</source>
+            <translation>ATAN 需要两个值：ATAN[y]/[x]</translation>
         </message>
         <message>
             <source>About Psicarve</source>
@@ -1464,6 +1672,14 @@
             <translation>急停</translation>
         </message>
         <message>
+            <source>EXISTS asks for a parameter</source>
+            <translation>EXISTS 只能查询参数</translation>
+        </message>
+        <message>
+            <source>EXISTS[ has no ]</source>
+            <translation>EXISTS[ 没有对应的 ]</translation>
+        </message>
+        <message>
             <source>Each block is a program of its own: G21 G17 G90 G94 G54 G80 hold before it, without a feed, and the spindle is off behind it.</source>
             <translation>每个程序段都是独立的程序：之前按 G21 G17 G90 G94 G54 G80，没有进给；之后主轴关闭。</translation>
         </message>
@@ -1550,6 +1766,10 @@
         <message>
             <source>F is along X, Y and Z, or of the faster tool over the piece, which turns under it.</source>
             <translation>F 为沿 X、Y、Z 的进给，或较快的刀具相对其下转动的工件的速度。</translation>
+        </message>
+        <message>
+            <source>F stands beside new units, and counts in these</source>
+            <translation>F 与单位切换同段，按新单位计</translation>
         </message>
         <message>
             <source>F1  emergency stop, everywhere
@@ -1762,6 +1982,62 @@ F12  本列表</translation>
         <message>
             <source>G0 of C turns as it is written, or the shortest way to the same direction.</source>
             <translation>C 的 G0 按所写的值转动，或以最短路径转到同一方向。</translation>
+        </message>
+        <message>
+            <source>G10 L20 sets no rotation</source>
+            <translation>G10 L20 不设置旋转</translation>
+        </message>
+        <message>
+            <source>G10 has no L</source>
+            <translation>G10 没有 L</translation>
+        </message>
+        <message>
+            <source>G10 has no P, the system</source>
+            <translation>G10 没有坐标系编号 P</translation>
+        </message>
+        <message>
+            <source>G10 is read with L2 and L20</source>
+            <translation>G10 只支持 L2 和 L20</translation>
+        </message>
+        <message>
+            <source>G12.1 with the tip %1 mm from the axis, and there is no direction</source>
+            <translation>G12.1：刀尖距轴线 %1 mm，没有方向</translation>
+        </message>
+        <message>
+            <source>G12.1, and X 0 lies %1 mm off the axis</source>
+            <translation>G12.1：X 0 偏离轴线 %1 mm</translation>
+        </message>
+        <message>
+            <source>G12.1, and the program has not said yet where X and C are</source>
+            <translation>G12.1：程序尚未给出 X 和 C 的位置</translation>
+        </message>
+        <message>
+            <source>G12.1, and the tip of r2, which follows, stands %1 mm further in</source>
+            <translation>G12.1：跟随的 r2 刀尖偏内 %1 mm</translation>
+        </message>
+        <message>
+            <source>G12.1, and the tip of r2, which follows, stands %1 mm further out</source>
+            <translation>G12.1：跟随的 r2 刀尖偏外 %1 mm</translation>
+        </message>
+        <message>
+            <source>G4 has no P, the seconds</source>
+            <translation>G4 没有秒数 P</translation>
+        </message>
+        <message>
+            <source>G53 while G91 holds</source>
+            <translation>G91 有效时使用 G53</translation>
+        </message>
+        <message>
+            <source>G53 without a straight motion</source>
+            <translation>G53 没有直线运动</translation>
+        </message>
+        <message>
+            <source>G64 P of %1 mm; the machine can have %2 to %3 mm</source>
+            <translation>G64 的 P 为 %1 mm；机床允许 %2 至 %3 mm</translation>
+        </message>
+        <message>
+            <source>G7.1 has no C, the cylinder's radius</source>
+            <translation>G7.1 没有圆柱半径 C</translation>
         </message>
         <message>
             <source>Gamma, smooth</source>
@@ -2288,6 +2564,18 @@ N、Shift+N  下一条、上一条记录
             <translation>类别</translation>
         </message>
         <message>
+            <source>L of M66 is 0 to 4</source>
+            <translation>M66 的 L 为 0 至 4</translation>
+        </message>
+        <message>
+            <source>L of M66 is a way to wait</source>
+            <translation>M66 的 L 是等待方式</translation>
+        </message>
+        <message>
+            <source>LN of a value that is not above 0</source>
+            <translation>LN 的自变量不大于 0</translation>
+        </message>
+        <message>
             <source>Language</source>
             <translation>语言</translation>
         </message>
@@ -2562,6 +2850,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Lowest point of the model above the table; baked into a job's heights.</source>
             <translation>模型最低点在台面以上的高度；计入作业的各层高度。</translation>
+        </message>
+        <message>
+            <source>M4: the machine's spindle does not turn back</source>
+            <translation>M4：机床主轴不能反转</translation>
+        </message>
+        <message>
+            <source>M98 has no P, the number of the subroutine</source>
+            <translation>M98 没有子程序编号 P</translation>
+        </message>
+        <message>
+            <source>M99 ends what M98 has called, and endsub what call has</source>
+            <translation>M99 结束由 M98 调用的子程序，endsub 结束由 call 调用的</translation>
+        </message>
+        <message>
+            <source>M99 in the main program begins it again for ever</source>
+            <translation>主程序中的 M99 会使其无限重复</translation>
         </message>
         <message>
             <source>MDI</source>
@@ -2856,6 +3160,14 @@ N、Shift+N  下一条、上一条记录
             <translation>没有过深之处</translation>
         </message>
         <message>
+            <source>O has neither a number nor a &lt;name&gt;</source>
+            <translation>O 后既没有数字也没有 &lt;名称&gt;</translation>
+        </message>
+        <message>
+            <source>O%1 has gone by in the stream</source>
+            <translation>O%1 在数据流中已经过去</translation>
+        </message>
+        <message>
             <source>OFF in other than 3 dimensions</source>
             <translation>不是三维的 OFF</translation>
         </message>
@@ -3034,6 +3346,26 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Output to test</source>
             <translation>要测试的输出</translation>
+        </message>
+        <message>
+            <source>P is a number of an output</source>
+            <translation>P 是输出的编号</translation>
+        </message>
+        <message>
+            <source>P is a system's number</source>
+            <translation>P 是坐标系编号</translation>
+        </message>
+        <message>
+            <source>P is the number of a subroutine</source>
+            <translation>P 是子程序编号</translation>
+        </message>
+        <message>
+            <source>P of %1 is 0, off, or 1, on</source>
+            <translation>%1 的 P 为 0（关）或 1（开）</translation>
+        </message>
+        <message>
+            <source>P of an arc counts its turns</source>
+            <translation>圆弧的 P 是圈数</translation>
         </message>
         <message>
             <source>POSITIONING</source>
@@ -3364,6 +3696,14 @@ N、Shift+N  下一条、上一条记录
             <translation>把此作业取到窗口中，代替 %1</translation>
         </message>
         <message>
+            <source>Q of G64 is not used: the tolerance of P holds for all</source>
+            <translation>G64 的 Q 不使用：P 的公差适用于全部</translation>
+        </message>
+        <message>
+            <source>R is below the depth of the hole</source>
+            <translation>R 低于孔底</translation>
+        </message>
+        <message>
             <source>R1 %1 mm</source>
             <translation>R1 %1 mm</translation>
         </message>
@@ -3426,6 +3766,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>R2 enable</source>
             <translation>R2 使能</translation>
+        </message>
+        <message>
+            <source>R2 follows R1 (profile: gcode.second_head), and they stand at different radii; bring them to one radius</source>
+            <translation>R2 跟随 R1（配置：gcode.second_head），但两者半径不同；请移到同一半径</translation>
         </message>
         <message>
             <source>R2 half</source>
@@ -3716,12 +4060,20 @@ N、Shift+N  下一条、上一条记录
             <translation>运行内核自身的空节拍循环；不接触机床</translation>
         </message>
         <message>
+            <source>S: the machine's spindle is only switched</source>
+            <translation>S：机床主轴只能开关</translation>
+        </message>
+        <message>
             <source>SCHED_FIFO, priority %1</source>
             <translation>SCHED_FIFO，优先级 %1</translation>
         </message>
         <message>
             <source>SIMULATOR</source>
             <translation>仿真</translation>
+        </message>
+        <message>
+            <source>SQRT of a value below 0</source>
+            <translation>SQRT 的自变量小于 0</translation>
         </message>
         <message>
             <source>STOPPING</source>
@@ -5436,6 +5788,14 @@ N、Shift+N  下一条、上一条记录
             <translation>设零：此处不知道机床配置</translation>
         </message>
         <message>
+            <source>[ has no ]</source>
+            <translation>[ 没有对应的 ]</translation>
+        </message>
+        <message>
+            <source>[ is missing</source>
+            <translation>缺少 [</translation>
+        </message>
+        <message>
             <source>a %1 drawing, which is not read; save it as %2</source>
             <translation>%1 图纸，无法读取；请另存为 %2</translation>
         </message>
@@ -5484,12 +5844,44 @@ N、Shift+N  下一条、上一条记录
             <translation>二进制 DXF 图形；请存为文本（ASCII DXF）</translation>
         </message>
         <message>
+            <source>a block holds words, comments, / and %</source>
+            <translation>程序段只包含字、注释、/ 和 %</translation>
+        </message>
+        <message>
+            <source>a block of more than 100000 holes and pecks</source>
+            <translation>一个程序段中的孔和啄钻超过 100000 次</translation>
+        </message>
+        <message>
+            <source>a comment begins within a comment</source>
+            <translation>注释中又开始注释</translation>
+        </message>
+        <message>
             <source>a control character in the text; remove it</source>
             <translation>文字中有控制字符；请删除</translation>
         </message>
         <message>
             <source>a coordinate is not a finite number</source>
             <translation>某坐标不是有限数</translation>
+        </message>
+        <message>
+            <source>a cycle is done 1 to 100000 times</source>
+            <translation>固定循环的次数为 1 至 100000</translation>
+        </message>
+        <message>
+            <source>a cycle moves X, Y and Z alone</source>
+            <translation>固定循环只移动 X、Y 和 Z</translation>
+        </message>
+        <message>
+            <source>a cycle while %1 holds</source>
+            <translation>%1 有效时使用固定循环</translation>
+        </message>
+        <message>
+            <source>a cycle while G93 holds</source>
+            <translation>G93 有效时使用固定循环</translation>
+        </message>
+        <message>
+            <source>a cylinder's radius of less than 0</source>
+            <translation>圆柱半径小于 0</translation>
         </message>
         <message>
             <source>a damaged %1 picture</source>
@@ -5520,8 +5912,24 @@ N、Shift+N  下一条、上一条记录
             <translation>日期或时间</translation>
         </message>
         <message>
+            <source>a division by 0</source>
+            <translation>除数为 0</translation>
+        </message>
+        <message>
             <source>a drawing without a width goes not all round</source>
             <translation>没有宽度的图形无法绕满一周</translation>
+        </message>
+        <message>
+            <source>a drawn way is carved as with "path"</source>
+            <translation>绘制的路径按 "path" 方式加工</translation>
+        </message>
+        <message>
+            <source>a dwell of %1 s; the machine takes %2 s, a day, at most</source>
+            <translation>停留 %1 s；机床最多 %2 s（一天）</translation>
+        </message>
+        <message>
+            <source>a dwell of less than 0 s</source>
+            <translation>停留时间小于 0 s</translation>
         </message>
         <message>
             <source>a face needs at least three vertices</source>
@@ -5556,8 +5964,44 @@ N、Shift+N  下一条、上一条记录
             <translation>一层扫过 Ψ 的 %1 个脉冲，本机床半圈为 %2 个；请按本机床的配置切片</translation>
         </message>
         <message>
+            <source>a line is carved as with "path": both heads move</source>
+            <translation>直线按 "path" 方式加工：两个刀头都移动</translation>
+        </message>
+        <message>
+            <source>a line is carved as with "path": psi turns</source>
+            <translation>直线按 "path" 方式加工：psi 转动</translation>
+        </message>
+        <message>
+            <source>a move that cuts, and the feed is 0</source>
+            <translation>切削运动，而进给为 0</translation>
+        </message>
+        <message>
+            <source>a move under G93 without F</source>
+            <translation>G93 下的运动没有 F</translation>
+        </message>
+        <message>
+            <source>a move under G95, and no spindle speed</source>
+            <translation>G95 下的运动没有主轴转速</translation>
+        </message>
+        <message>
+            <source>a name without letters</source>
+            <translation>名称中没有字母</translation>
+        </message>
+        <message>
+            <source>a negative number to a power that is not whole</source>
+            <translation>负数的非整数次幂</translation>
+        </message>
+        <message>
             <source>a number</source>
             <translation>数字</translation>
+        </message>
+        <message>
+            <source>a number alone begins a subroutine for M98, within another block</source>
+            <translation>单独的编号是 M98 子程序的开头，却位于另一程序块内</translation>
+        </message>
+        <message>
+            <source>a number of more than 1000000000</source>
+            <translation>数字大于 1000000000</translation>
         </message>
         <message>
             <source>a number that no machine has</source>
@@ -5576,6 +6020,14 @@ N、Shift+N  下一条、上一条记录
             <translation>被换出的内存页会使节拍停住直到取回；拒绝驱动真实机床</translation>
         </message>
         <message>
+            <source>a parameter stands here, and sets nothing</source>
+            <translation>此处的参数没有赋值</translation>
+        </message>
+        <message>
+            <source>a peck is more than 0 deep</source>
+            <translation>啄钻深度必须大于 0</translation>
+        </message>
+        <message>
             <source>a picture %1 mm high would be %2 mm wide, and once round are only %3 mm: choose at most %4 mm of height, a larger diameter, or all round, which changes its shape</source>
             <translation>图片高 %1 mm 时宽 %2 mm，而一周只有 %3 mm：高度最多选 %4 mm，或加大直径，或选整周（会改变形状）</translation>
         </message>
@@ -5590,6 +6042,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>a place</source>
             <translation>指定位置</translation>
+        </message>
+        <message>
+            <source>a place beyond 1 000 000 000 mm</source>
+            <translation>位置超出 1 000 000 000 mm</translation>
         </message>
         <message>
             <source>a point</source>
@@ -5614,6 +6070,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>a pulse, its gap and the writes take %1 us, more than a tick of %2 us; lengthen tick.period_us, shorten port.step_high_ns or port.step_low_ns, or set port.pulses = "over-ticks"</source>
             <translation>一个脉冲、其间隔和写端口共需 %1 us，超过一个 %2 us 的节拍；请加长 tick.period_us，缩短 port.step_high_ns 或 port.step_low_ns，或设 port.pulses = "over-ticks"</translation>
+        </message>
+        <message>
+            <source>a radius of %1 mm does not reach the end, which is %2 mm away</source>
+            <translation>半径 %1 mm 够不到 %2 mm 外的终点</translation>
         </message>
         <message>
             <source>a record was refused</source>
@@ -5648,6 +6108,10 @@ N、Shift+N  下一条、上一条记录
             <translation>字符串</translation>
         </message>
         <message>
+            <source>a subroutine within another block</source>
+            <translation>子程序位于另一程序块内</translation>
+        </message>
+        <message>
             <source>a switch was tripped until just now; try again</source>
             <translation>开关刚才仍处于触发状态；请再试一次</translation>
         </message>
@@ -5664,6 +6128,10 @@ N、Shift+N  下一条、上一条记录
             <translation>文字长 %1 字节；请输入 %2 到 %3 字节</translation>
         </message>
         <message>
+            <source>a tolerance of less than 0</source>
+            <translation>公差小于 0</translation>
+        </message>
+        <message>
             <source>a tool change (M6); Resume goes on</source>
             <translation>换刀（M6）；按“继续”接着运行</translation>
         </message>
@@ -5676,8 +6144,24 @@ N、Shift+N  下一条、上一条记录
             <translation>变换无法读取；该元素已略去。</translation>
         </message>
         <message>
+            <source>a value is missing</source>
+            <translation>缺少值</translation>
+        </message>
+        <message>
             <source>a virtual machine</source>
             <translation>虚拟机</translation>
+        </message>
+        <message>
+            <source>a wait of less than 0 s</source>
+            <translation>等待时间小于 0 s</translation>
+        </message>
+        <message>
+            <source>a way of %1 s; the machine takes %2 s, a day, at most</source>
+            <translation>行程耗时 %1 s；机床最多 %2 s（一天）</translation>
+        </message>
+        <message>
+            <source>a way of more than 100000 chords</source>
+            <translation>一条路径超过 100000 段弦</translation>
         </message>
         <message>
             <source>a whole number</source>
@@ -5694,6 +6178,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>about %1 left</source>
             <translation>剩余约 %1</translation>
+        </message>
+        <message>
+            <source>add the word</source>
+            <translation>请补上该字</translation>
         </message>
         <message>
             <source>alarm</source>
@@ -5732,6 +6220,58 @@ N、Shift+N  下一条、上一条记录
             <translation>由 CAP_SYS_RAWIO 允许</translation>
         </message>
         <message>
+            <source>an O word stands behind other words</source>
+            <translation>O 字位于其他字之后</translation>
+        </message>
+        <message>
+            <source>an arc has 1 to 1000000 turns</source>
+            <translation>圆弧的圈数为 1 至 1000000</translation>
+        </message>
+        <message>
+            <source>an arc in %1 does not move Y and one head</source>
+            <translation>%1 平面的圆弧不是由 Y 和一个刀头完成</translation>
+        </message>
+        <message>
+            <source>an arc in %1 of a system that is rotated</source>
+            <translation>旋转的坐标系中 %1 平面的圆弧</translation>
+        </message>
+        <message>
+            <source>an arc of more than 100000 chords</source>
+            <translation>一段圆弧超过 100000 段弦</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: another axis moves with it</source>
+            <translation>圆弧仍按弦加工：另有轴随之移动</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: both heads draw it</source>
+            <translation>圆弧仍按弦加工：由两个刀头完成</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: it comes within two pulses of the end of a travel or of the core</source>
+            <translation>圆弧仍按弦加工：它距行程端或芯部不足两个脉冲</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its ends are not, to a pulse, as far from the centre as each other</source>
+            <translation>圆弧仍按弦加工：两端到圆心的距离相差超过一个脉冲</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its ends differ and are within 16 pulses of each other</source>
+            <translation>圆弧仍按弦加工：两端不同，但相距不足 16 个脉冲</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its head and y differ in pulses per mm</source>
+            <translation>圆弧仍按弦加工：刀头与 y 的每 mm 脉冲数不同</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its radius is below 16 pulses</source>
+            <translation>圆弧仍按弦加工：半径小于 16 个脉冲</translation>
+        </message>
+        <message>
+            <source>an arc stays chords: its radius is too large</source>
+            <translation>圆弧仍按弦加工：半径太大</translation>
+        </message>
+        <message>
             <source>an arc takes R1 and Y, or R2 and Y</source>
             <translation>圆弧需要 R1 和 Y，或 R2 和 Y</translation>
         </message>
@@ -5744,8 +6284,20 @@ N、Shift+N  下一条、上一条记录
             <translation>两个数的数组</translation>
         </message>
         <message>
+            <source>an axis word stands beside %1</source>
+            <translation>轴字与 %1 同段</translation>
+        </message>
+        <message>
+            <source>an expression stands here without a letter</source>
+            <translation>此处的表达式没有字母</translation>
+        </message>
+        <message>
             <source>an input cannot be on pin %1, which is an output; use pin 10 to 13 or 15</source>
             <translation>输入不能接在引脚 %1，它是输出；请用引脚 10 到 13 或 15</translation>
+        </message>
+        <message>
+            <source>an offset beyond 1 000 000 000 mm or degrees</source>
+            <translation>偏置超出 1 000 000 000 mm 或度</translation>
         </message>
         <message>
             <source>an optional stop (M1); Resume goes on</source>
@@ -5760,6 +6312,10 @@ N、Shift+N  下一条、上一条记录
             <translation>正在测试一个输出；请先结束测试</translation>
         </message>
         <message>
+            <source>another code stands beside %1</source>
+            <translation>另一代码与 %1 同段</translation>
+        </message>
+        <message>
             <source>another job was carved last</source>
             <translation>上次雕刻的是另一个作业</translation>
         </message>
@@ -5770,6 +6326,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>another process has the pins recorded, or this core cannot record them</source>
             <translation>另一进程正在记录引脚，或此内核不能记录</translation>
+        </message>
+        <message>
+            <source>another process has the work offsets, as the one that runs a program has; wait for its end, or stop it</source>
+            <translation>工件偏置被另一进程占用，例如正在运行程序的进程；请等它结束，或停止它</translation>
         </message>
         <message>
             <source>another program is being sent (process %1); wait for its end</source>
@@ -5828,6 +6388,14 @@ N、Shift+N  下一条、上一条记录
             <translation>假定</translation>
         </message>
         <message>
+            <source>at X %1 C %2 mm the tip of %3 comes to %4 mm, and the core that it must not reach ends at %5 mm</source>
+            <translation>在 X %1 C %2 mm 处 %3 的刀尖到达 %4 mm，而不得进入的芯部止于 %5 mm</translation>
+        </message>
+        <message>
+            <source>at X %1 C %2 mm the way passes the axis</source>
+            <translation>在 X %1 C %2 mm 处路径经过轴线</translation>
+        </message>
+        <message>
             <source>at least %1</source>
             <translation>至少 %1</translation>
         </message>
@@ -5884,6 +6452,10 @@ N、Shift+N  下一条、上一条记录
             <translation>圆弧的起点和终点到圆心的距离不相等，或圆弧太小</translation>
         </message>
         <message>
+            <source>begin and end with one number or name, one block within the other</source>
+            <translation>请用同一编号或名称开始和结束，程序块逐层嵌套</translation>
+        </message>
+        <message>
             <source>being made</source>
             <translation>正在生成</translation>
         </message>
@@ -5926,6 +6498,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>box centre</source>
             <translation>包围盒中心</translation>
+        </message>
+        <message>
+            <source>brackets and signs in 64 levels</source>
+            <translation>括号和正负号达 64 层</translation>
+        </message>
+        <message>
+            <source>bring X and C to known places first, with X 0 on the axis, no rotation and both tips of one X alike</source>
+            <translation>请先把 X 和 C 移到已知位置：X 0 在轴线上，无旋转，同一 X 的两个刀尖一致</translation>
         </message>
         <message>
             <source>built-in profile</source>
@@ -6000,6 +6580,10 @@ N、Shift+N  下一条、上一条记录
             <translation>时钟</translation>
         </message>
         <message>
+            <source>close every [ with ], and every &lt; of a name with &gt;</source>
+            <translation>请用 ] 结束每个 [，用 &gt; 结束名称的每个 &lt;</translation>
+        </message>
+        <message>
             <source>closed, all facets turned alike</source>
             <translation>封闭，所有面朝向一致</translation>
         </message>
@@ -6072,12 +6656,20 @@ N、Shift+N  下一条、上一条记录
             <translation>已损坏：大小与偏移不符</translation>
         </message>
         <message>
+            <source>docs/gcode.md says which ways run step by step</source>
+            <translation>哪些路径逐步运行见 docs/gcode.md</translation>
+        </message>
+        <message>
             <source>done</source>
             <translation>完成</translation>
         </message>
         <message>
             <source>doubled: %1</source>
             <translation>重复：%1</translation>
+        </message>
+        <message>
+            <source>draw arcs in Y and one head: G17 or G19, with the letters of lathes G18</source>
+            <translation>圆弧请用 Y 和一个刀头：G17 或 G19，车床字母时用 G18</translation>
         </message>
         <message>
             <source>drive a real machine from a real computer</source>
@@ -6104,8 +6696,28 @@ N、Shift+N  下一条、上一条记录
             <translation>急停</translation>
         </message>
         <message>
+            <source>emergency stop by the operator</source>
+            <translation>操作员急停</translation>
+        </message>
+        <message>
+            <source>end the block before the program ends</source>
+            <translation>请在程序结束前结束程序块</translation>
+        </message>
+        <message>
+            <source>end the comment with ) on its line</source>
+            <translation>请在同一行用 ) 结束注释</translation>
+        </message>
+        <message>
+            <source>end the mode first, with G7.1 C0 or G13.1</source>
+            <translation>请先用 G7.1 C0 或 G13.1 结束该方式</translation>
+        </message>
+        <message>
             <source>end the program that holds it; psicarve status shows a core</source>
             <translation>结束占用它的程序；psicarve status 可显示内核</translation>
+        </message>
+        <message>
+            <source>end the program with M2 or M30, or frame it with two lines of %</source>
+            <translation>请用 M2 或 M30 结束程序，或用两行 % 括起</translation>
         </message>
         <message>
             <source>ended at layer %1 of %2</source>
@@ -6184,8 +6796,76 @@ N、Shift+N  下一条、上一条记录
             <translation>给 --cpu 指定本进程可用的处理器编号，或 any</translation>
         </message>
         <message>
+            <source>give F before the first move that cuts</source>
+            <translation>请在第一个切削运动之前给出 F</translation>
+        </message>
+        <message>
+            <source>give F in every such block while G93 holds</source>
+            <translation>G93 有效时请在每个这样的程序段中给出 F</translation>
+        </message>
+        <message>
+            <source>give G0, G1, G2 or G3 first</source>
+            <translation>请先给出 G0、G1、G2 或 G3</translation>
+        </message>
+        <message>
+            <source>give G7.1 with its C, G12.1 and G13.1 a block of their own</source>
+            <translation>请把 G7.1 及其 C、G12.1 和 G13.1 放在单独的程序段</translation>
+        </message>
+        <message>
+            <source>give R half the way to the end at least</source>
+            <translation>R 至少应为到终点距离的一半</translation>
+        </message>
+        <message>
+            <source>give S first, or use G94</source>
+            <translation>请先给出 S，或使用 G94</translation>
+        </message>
+        <message>
+            <source>give a value that the word can have</source>
+            <translation>请给出该字允许的值</translation>
+        </message>
+        <message>
+            <source>give an O word a line of its own</source>
+            <translation>请让 O 字单独成行</translation>
+        </message>
+        <message>
+            <source>give centre and end with more digits</source>
+            <translation>请用更多位数给出圆心和终点</translation>
+        </message>
+        <message>
+            <source>give each subroutine its own number or name</source>
+            <translation>请给每个子程序各自的编号或名称</translation>
+        </message>
+        <message>
+            <source>give it a value that can be calculated</source>
+            <translation>请给出可以计算的值</translation>
+        </message>
+        <message>
+            <source>give one code of a modal group in a block</source>
+            <translation>一个程序段中每个模态组只给一个代码</translation>
+        </message>
+        <message>
+            <source>give the centre in the plane's two words, or R alone</source>
+            <translation>请用该平面的两个字给出圆心，或只用 R</translation>
+        </message>
+        <message>
+            <source>give the centre with two of I, J and K, or the radius with R</source>
+            <translation>请用 I、J、K 中的两个给出圆心，或用 R 给出半径</translation>
+        </message>
+        <message>
+            <source>give the centre: R does not tell where a whole circle lies</source>
+            <translation>请给出圆心：R 不能确定整圆的位置</translation>
+        </message>
+        <message>
             <source>give the core real-time rights, lengthen tick.period_us or raise tick.missed_alarm_per_s</source>
             <translation>给内核实时权限，加长 tick.period_us 或提高 tick.missed_alarm_per_s</translation>
+        </message>
+        <message>
+            <source>give the length itself with G43.1</source>
+            <translation>请用 G43.1 直接给出长度</translation>
+        </message>
+        <message>
+            <source>give the letter once in a block</source>
+            <translation>每个字母在程序段中只给一次</translation>
         </message>
         <message>
             <source>granted</source>
@@ -6210,6 +6890,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>has been changed since it was read; decode it again</source>
             <translation>读取后已更改；请重新解析</translation>
+        </message>
+        <message>
+            <source>has been changed while it is run; what was read of it before is run</source>
+            <translation>运行期间文件被更改；只运行此前读取的部分</translation>
         </message>
         <message>
             <source>has no closed outline; the longest stroke goes from %1 to %2 mm, %3 apart; close it in the drawing program</source>
@@ -6332,6 +7016,10 @@ N、Shift+N  下一条、上一条记录
             <translation>是文件夹，不是模型文件</translation>
         </message>
         <message>
+            <source>is a folder; choose a program</source>
+            <translation>是文件夹；请选择程序</translation>
+        </message>
+        <message>
             <source>is a zip archive, but holds no 3MF model</source>
             <translation>是 zip 压缩包，但不含 3MF 模型</translation>
         </message>
@@ -6346,6 +7034,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>is no psicarve job or snapshot file</source>
             <translation>不是 psicarve 的作业或快照文件</translation>
+        </message>
+        <message>
+            <source>is no regular file, and is read twice</source>
+            <translation>不是普通文件，而程序要读取两遍</translation>
         </message>
         <message>
             <source>is not a regular file</source>
@@ -6370,6 +7062,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>it said nothing</source>
             <translation>它没有说明</translation>
+        </message>
+        <message>
+            <source>it was stopped in line %1; it can go on from there</source>
+            <translation>已在第 %1 行停止；可从该行继续</translation>
         </message>
         <message>
             <source>its &lt;use&gt; elements draw more than two million elements</source>
@@ -6430,6 +7126,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>journal of the simulator, run %1</source>
             <translation>模拟器日志，第 %1 次运行</translation>
+        </message>
+        <message>
+            <source>keep the tip further out</source>
+            <translation>请让刀尖更靠外</translation>
+        </message>
+        <message>
+            <source>keep the two tips further apart</source>
+            <translation>请让两个刀尖离得更远</translation>
         </message>
         <message>
             <source>kernel</source>
@@ -6516,12 +7220,32 @@ N、Shift+N  下一条、上一条记录
             <translation>损失最少</translation>
         </message>
         <message>
+            <source>leave the parameter as it is: only the machine sets it</source>
+            <translation>请勿改动该参数：只有机床设置它</translation>
+        </message>
+        <message>
             <source>left</source>
             <translation>左</translation>
         </message>
         <message>
             <source>left out: %1</source>
             <translation>舍去：%1</translation>
+        </message>
+        <message>
+            <source>let the CAM system compensate: a radial tool has no side</source>
+            <translation>请由 CAM 系统补偿：径向刀具没有左右之分</translation>
+        </message>
+        <message>
+            <source>let the CAM system write it out in plain words</source>
+            <translation>请让 CAM 系统用普通字写出</translation>
+        </message>
+        <message>
+            <source>let the CAM system write the blocks out, or take fewer passes</source>
+            <translation>请让 CAM 系统写出各程序段，或减少循环次数</translation>
+        </message>
+        <message>
+            <source>let the loop end, or move in it</source>
+            <translation>请让循环结束，或在其中运动</translation>
         </message>
         <message>
             <source>lies wholly within the core radius of %1 mm: nothing but a plain rod would be carved; it is %2 large: are its units inches? Height makes it larger</source>
@@ -6560,6 +7284,10 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 行</translation>
         </message>
         <message>
+            <source>line %1 has more than 64 MiB: this is no program in G-code</source>
+            <translation>第 %1 行超过 64 MiB：这不是 G 代码程序</translation>
+        </message>
+        <message>
             <source>line %1: %2 cannot count so far</source>
             <translation>第 %1 行：%2 无法计数到那么远</translation>
         </message>
@@ -6570,6 +7298,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>line %1: %2 would come to %3, its travel is %4 to %5; move the work offset</source>
             <translation>第 %1 行：%2 将到达 %3，其行程为 %4 至 %5；请移动工件偏置</translation>
+        </message>
+        <message>
+            <source>line %1: it is not known where %2 begins</source>
+            <translation>第 %1 行：不知道 %2 从何处开始</translation>
         </message>
         <message>
             <source>line %1: it would take more than %2 ms; change its feed or its dwell</source>
@@ -6632,6 +7364,14 @@ N、Shift+N  下一条、上一条记录
             <translation>已取消寻找最佳轴线</translation>
         </message>
         <message>
+            <source>loops and calls make more than %1 blocks</source>
+            <translation>循环和调用超过 %1 个程序段</translation>
+        </message>
+        <message>
+            <source>loops and subroutines of a stream have more than 64 MiB</source>
+            <translation>数据流中的循环和子程序超过 64 MiB</translation>
+        </message>
+        <message>
             <source>low</source>
             <translation>低</translation>
         </message>
@@ -6646,6 +7386,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>marks %1 mm apart on a blank of %2 mm would be %3°; more than %4° is no error of mounting. Was the table turned by exactly half a turn?</source>
             <translation>标记相距 %1 mm，毛坯 %2 mm，即 %3°；超过 %4° 不是安装误差。转台是否正好转了半圈？</translation>
+        </message>
+        <message>
+            <source>may not be read by this user; let the machine's group read it, or name another folder: $PSICARVE_STATE</source>
+            <translation>当前用户无权读取；请允许机床所属的组读取，或指定其他文件夹：$PSICARVE_STATE</translation>
         </message>
         <message>
             <source>may not be written</source>
@@ -6716,6 +7460,18 @@ N、Shift+N  下一条、上一条记录
             <translation>超过 %1 段，没有作业有这么多</translation>
         </message>
         <message>
+            <source>more than 10000 named parameters</source>
+            <translation>命名参数超过 10000 个</translation>
+        </message>
+        <message>
+            <source>more than 10000 subroutines</source>
+            <translation>子程序超过 10000 个</translation>
+        </message>
+        <message>
+            <source>more than 1000000000 passes</source>
+            <translation>重复次数超过 1000000000</translation>
+        </message>
+        <message>
             <source>more than 512 MiB, which no drawing or picture needs</source>
             <translation>超过 512 MiB，图形或图片不需要这么大</translation>
         </message>
@@ -6738,6 +7494,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>move</source>
             <translation>移动</translation>
+        </message>
+        <message>
+            <source>move the work offset, or the part</source>
+            <translation>请移动工件偏置或工件</translation>
         </message>
         <message>
             <source>moving</source>
@@ -6772,6 +7532,10 @@ N、Shift+N  下一条、上一条记录
             <translation>没有内核服务于共享段 %1</translation>
         </message>
         <message>
+            <source>no function begins so</source>
+            <translation>没有这样开头的函数</translation>
+        </message>
+        <message>
             <source>no job</source>
             <translation>无作业</translation>
         </message>
@@ -6794,6 +7558,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>no longer in the machine</source>
             <translation>已不在机床中</translation>
+        </message>
+        <message>
+            <source>no motion is in force that uses axis words</source>
+            <translation>没有使用轴字的有效运动代码</translation>
+        </message>
+        <message>
+            <source>no parameter has this number</source>
+            <translation>没有这个编号的参数</translation>
         </message>
         <message>
             <source>no pin</source>
@@ -6952,6 +7724,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无</translation>
         </message>
         <message>
+            <source>nothing in the block uses %1</source>
+            <translation>程序段中没有代码使用 %1</translation>
+        </message>
+        <message>
             <source>nothing is open</source>
             <translation>没有打开任何文件</translation>
         </message>
@@ -6962,6 +7738,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>nothing was carved yet</source>
             <translation>尚未雕刻任何内容</translation>
+        </message>
+        <message>
+            <source>o%1 is a subroutine in line %2</source>
+            <translation>o%1 已是第 %2 行的子程序</translation>
+        </message>
+        <message>
+            <source>o%1 sub is called by o%1 call</source>
+            <translation>o%1 sub 须用 o%1 call 调用</translation>
         </message>
         <message>
             <source>of %1</source>
@@ -7024,6 +7808,10 @@ N、Shift+N  下一条、上一条记录
             <translation>出</translation>
         </message>
         <message>
+            <source>outputs and inputs have numbers 0 to 63</source>
+            <translation>输出和输入的编号为 0 至 63</translation>
+        </message>
+        <message>
             <source>over-ticks or within-tick</source>
             <translation>over-ticks 或 within-tick</translation>
         </message>
@@ -7038,6 +7826,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>parallel port</source>
             <translation>并口</translation>
+        </message>
+        <message>
+            <source>pass 30 values at most</source>
+            <translation>最多传递 30 个值</translation>
         </message>
         <message>
             <source>passed</source>
@@ -7180,6 +7972,22 @@ N、Shift+N  下一条、上一条记录
             <translation>脉冲和计数须为整数</translation>
         </message>
         <message>
+            <source>put % on a line of its own, as the first and the last one</source>
+            <translation>请让 % 单独成行，作为首行和末行</translation>
+        </message>
+        <message>
+            <source>put it where docs/gcode.md allows it</source>
+            <translation>请放在 docs/gcode.md 允许的位置</translation>
+        </message>
+        <message>
+            <source>put one of the two into a block of its own</source>
+            <translation>请把其中之一移到单独的程序段</translation>
+        </message>
+        <message>
+            <source>put the units into a block before the feed</source>
+            <translation>请在进给之前的程序段中设定单位</translation>
+        </message>
+        <message>
             <source>queue: %1 of %2</source>
             <translation>队列：%1 / %2</translation>
         </message>
@@ -7260,6 +8068,10 @@ N、Shift+N  下一条、上一条记录
             <translation>请继续或停止</translation>
         </message>
         <message>
+            <source>return outside a subroutine</source>
+            <translation>return 不在子程序之内</translation>
+        </message>
+        <message>
             <source>right</source>
             <translation>右</translation>
         </message>
@@ -7288,6 +8100,14 @@ N、Shift+N  下一条、上一条记录
             <translation>run 和 pass 没有逐一递增</translation>
         </message>
         <message>
+            <source>say with P how near corners are passed</source>
+            <translation>请用 P 指定通过拐角的接近程度</translation>
+        </message>
+        <message>
+            <source>say with an axis word what is to be done</source>
+            <translation>请用轴字说明要做什么</translation>
+        </message>
+        <message>
             <source>says nothing here</source>
             <translation>此处不适用</translation>
         </message>
@@ -7302,6 +8122,22 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>segment lost</source>
             <translation>共享段丢失</translation>
+        </message>
+        <message>
+            <source>set R above the depth of the hole</source>
+            <translation>请把 R 设在孔底之上</translation>
+        </message>
+        <message>
+            <source>set the centre off the arc</source>
+            <translation>圆心不要落在圆弧端点上</translation>
+        </message>
+        <message>
+            <source>set the parameter before it is used</source>
+            <translation>请在使用前设置参数</translation>
+        </message>
+        <message>
+            <source>set the speed at the spindle</source>
+            <translation>请在主轴上设定转速</translation>
         </message>
         <message>
             <source>shared memory</source>
@@ -7340,12 +8176,20 @@ N、Shift+N  下一条、上一条记录
             <translation>已取消切片</translation>
         </message>
         <message>
+            <source>something stands behind the O word</source>
+            <translation>O 字之后还有内容</translation>
+        </message>
+        <message>
             <source>spindle</source>
             <translation>主轴</translation>
         </message>
         <message>
             <source>spiral</source>
             <translation>螺旋</translation>
+        </message>
+        <message>
+            <source>split the block: a line has 1024 bytes at most</source>
+            <translation>请拆分程序段：一行最多 1024 字节</translation>
         </message>
         <message>
             <source>stands %1 mm above the table, and the blank is only %2 mm high: nothing of it is left to be carved</source>
@@ -7412,12 +8256,20 @@ N、Shift+N  下一条、上一条记录
             <translation>停止于 %1</translation>
         </message>
         <message>
+            <source>stopped by the operator</source>
+            <translation>被操作员停止</translation>
+        </message>
+        <message>
             <source>stopped in layer %1</source>
             <translation>停在第 %1 层</translation>
         </message>
         <message>
             <source>stopping</source>
             <translation>停止中</translation>
+        </message>
+        <message>
+            <source>store the program in a file: there it may be of any length</source>
+            <translation>请把程序存为文件：文件长度不限</translation>
         </message>
         <message>
             <source>straight line</source>
@@ -7434,6 +8286,30 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>swapoff --all while carving, or more memory</source>
             <translation>雕刻时执行 swapoff --all，或增加内存</translation>
+        </message>
+        <message>
+            <source>switch coolant by hand</source>
+            <translation>请手动开关冷却液</translation>
+        </message>
+        <message>
+            <source>systems have numbers 0 to 9</source>
+            <translation>坐标系编号为 0 至 9</translation>
+        </message>
+        <message>
+            <source>take it out: nothing is wired there</source>
+            <translation>请删除：那里没有接线</translation>
+        </message>
+        <message>
+            <source>take it out: the operator's overrides always hold</source>
+            <translation>请删除：操作员的倍率始终有效</translation>
+        </message>
+        <message>
+            <source>take the inner ( away</source>
+            <translation>请去掉里面的 (</translation>
+        </message>
+        <message>
+            <source>take the word away, or add the code that it is for</source>
+            <translation>请去掉该字，或补上它所属的代码</translation>
         </message>
         <message>
             <source>taken up to line %1</source>
@@ -7468,6 +8344,26 @@ N、Shift+N  下一条、上一条记录
             <translation>余量必须为 0 到 %1，而不是 %2</translation>
         </message>
         <message>
+            <source>the arc ends where it begins</source>
+            <translation>圆弧的终点就是起点</translation>
+        </message>
+        <message>
+            <source>the arc has a centre and a radius</source>
+            <translation>圆弧同时有圆心和半径</translation>
+        </message>
+        <message>
+            <source>the arc has no centre and no radius</source>
+            <translation>圆弧既没有圆心也没有半径</translation>
+        </message>
+        <message>
+            <source>the arc's centre lies on one of its ends</source>
+            <translation>圆弧的圆心位于其一端</translation>
+        </message>
+        <message>
+            <source>the arc's radius is %1 mm at its begin and %2 mm at its end</source>
+            <translation>圆弧起点处半径 %1 mm，终点处 %2 mm</translation>
+        </message>
+        <message>
             <source>the archive unpacks to far more than a model needs</source>
             <translation>压缩包解开后远大于模型所需</translation>
         </message>
@@ -7490,6 +8386,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the centre: no axis goes so far (%1)</source>
             <translation>圆心：没有轴能走这么远（%1）</translation>
+        </message>
+        <message>
+            <source>the comment has no end</source>
+            <translation>注释没有结尾</translation>
         </message>
         <message>
             <source>the computer has too little free memory: end other programs</source>
@@ -7522,6 +8422,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the core ended before it answered</source>
             <translation>内核在回答之前已结束</translation>
+        </message>
+        <message>
+            <source>the core has another profile than %1; open the one that it was started with</source>
+            <translation>内核的配置不是 %1；请打开启动内核时所用的配置</translation>
         </message>
         <message>
             <source>the core has refused the next line: only Stop is left</source>
@@ -7692,12 +8596,24 @@ N、Shift+N  下一条、上一条记录
             <translation>最后一行没有使螺旋闭合</translation>
         </message>
         <message>
+            <source>the line has more than 1024 bytes</source>
+            <translation>该行超过 1024 字节</translation>
+        </message>
+        <message>
             <source>the machine came to rest (%1), somebody stopped it</source>
             <translation>机床已停下（%1），有人停止了它</translation>
         </message>
         <message>
             <source>the machine has moved since the program was read; start it again</source>
             <translation>读取程序之后机床移动过；请重新启动程序</translation>
+        </message>
+        <message>
+            <source>the machine has no axis %1</source>
+            <translation>机床没有 %1 轴</translation>
+        </message>
+        <message>
+            <source>the machine has no output for coolant</source>
+            <translation>机床没有冷却液输出</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>
@@ -7720,8 +8636,16 @@ N、Shift+N  下一条、上一条记录
             <translation>机床未回零；请先回零</translation>
         </message>
         <message>
+            <source>the machine was moved or its spindle switched meanwhile; nothing was begun, start it again</source>
+            <translation>其间机床被移动过或主轴被开关过；没有开始，请重新启动</translation>
+        </message>
+        <message>
             <source>the mesh has no volume (all of it is flat); there is nothing to carve</source>
             <translation>网格没有体积（全部是平的）；没有可雕刻的内容</translation>
+        </message>
+        <message>
+            <source>the number of an O word is whole</source>
+            <translation>O 字的编号是整数</translation>
         </message>
         <message>
             <source>the port does not answer: switch the machine off by its own switch</source>
@@ -7752,6 +8676,26 @@ N、Shift+N  下一条、上一条记录
             <translation>程序没有原样到达内核；请重新启动程序</translation>
         </message>
         <message>
+            <source>the program ends before line %1; begin at an earlier line</source>
+            <translation>程序在第 %1 行之前结束；请从更前面的行开始</translation>
+        </message>
+        <message>
+            <source>the program has no end</source>
+            <translation>程序没有结尾</translation>
+        </message>
+        <message>
+            <source>the program has no subroutine %1</source>
+            <translation>程序中没有子程序 %1</translation>
+        </message>
+        <message>
+            <source>the program is empty</source>
+            <translation>程序是空的</translation>
+        </message>
+        <message>
+            <source>the program was given up</source>
+            <translation>程序已放弃</translation>
+        </message>
+        <message>
             <source>the published job is damaged; publish it again</source>
             <translation>已发布的作业已损坏；请重新发布</translation>
         </message>
@@ -7764,12 +8708,24 @@ N、Shift+N  下一条、上一条记录
             <translation>速度必须大于 0</translation>
         </message>
         <message>
+            <source>the spindle is on; for a dry run switch it off</source>
+            <translation>主轴开着；空运行请先关闭主轴</translation>
+        </message>
+        <message>
             <source>the stepdown must be more than 0 mm, and %1 at most, not %2</source>
             <translation>下切步距必须大于 0 mm 且不超过 %1，而不是 %2</translation>
         </message>
         <message>
             <source>the stepover must be more than 0 mm, not %1</source>
             <translation>层距必须大于 0 mm，而不是 %1</translation>
+        </message>
+        <message>
+            <source>the stream ends within a line: it may have been torn off, and is not run</source>
+            <translation>数据流在行中结束：可能已中断，该行不运行</translation>
+        </message>
+        <message>
+            <source>the subroutine that M98 calls has no M99</source>
+            <translation>M98 调用的子程序没有 M99</translation>
         </message>
         <message>
             <source>the switch of the axis is open; there is nothing to back off from</source>
@@ -7800,8 +8756,20 @@ N、Shift+N  下一条、上一条记录
             <translation>%1 的刀尖会比计数位置靠外 %2 mm；销的直径是 %3 mm 吗？刀尖在 %4 mm 处接触吗？</translation>
         </message>
         <message>
+            <source>the tips of r1 and r2 are %1 mm apart, closer than head_clearance_mm = %2 mm</source>
+            <translation>r1 和 r2 的刀尖相距 %1 mm，小于 head_clearance_mm = %2 mm</translation>
+        </message>
+        <message>
             <source>the travel from %1 to %2 mm is empty or reversed; give the lowest position first</source>
             <translation>行程 %1 到 %2 mm 为空或颠倒；请先写最低位置</translation>
+        </message>
+        <message>
+            <source>the value is infinite, or none at all</source>
+            <translation>值为无穷大或不存在</translation>
+        </message>
+        <message>
+            <source>the work offsets have been changed since it was read; decode it again</source>
+            <translation>读取之后工件偏置已更改；请重新解析</translation>
         </message>
         <message>
             <source>the zip archive is cut off or damaged</source>
@@ -7832,6 +8800,10 @@ N、Shift+N  下一条、上一条记录
             <translation>这不是两个数字；请按 0.0 ... 60.0 的形式输入</translation>
         </message>
         <message>
+            <source>these work offsets cannot be kept</source>
+            <translation>无法保存这些工件偏置</translation>
+        </message>
+        <message>
             <source>this is no DXF file: it does not begin with a section</source>
             <translation>这不是 DXF 文件：开头不是节</translation>
         </message>
@@ -7842,6 +8814,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>this is no whole number; enter %1 &lt;= value &lt;= %2</source>
             <translation>这不是整数；请输入 %1 到 %2</translation>
+        </message>
+        <message>
+            <source>this is no word that can follow O</source>
+            <translation>O 后不能用这个词</translation>
         </message>
         <message>
             <source>this is not TOML: %1; correct the line</source>
@@ -7908,12 +8884,24 @@ N、Shift+N  下一条、上一条记录
             <translation>每层转台转动 [脉冲]</translation>
         </message>
         <message>
+            <source>turn the axis in a block before the cycle</source>
+            <translation>请在固定循环之前的程序段中转动该轴</translation>
+        </message>
+        <message>
             <source>turned by %1°</source>
             <translation>旋转 %1°</translation>
         </message>
         <message>
+            <source>two codes of the block use P</source>
+            <translation>程序段中有两个代码使用 P</translation>
+        </message>
+        <message>
             <source>two programs on one port move motors by accident</source>
             <translation>两个程序用同一端口会意外驱动电机</translation>
+        </message>
+        <message>
+            <source>under G90.1 an arc has both %1 and %2</source>
+            <translation>G90.1 下圆弧须同时有 %1 和 %2</translation>
         </message>
         <message>
             <source>under way</source>
@@ -7948,8 +8936,60 @@ N、Shift+N  下一条、上一条记录
             <translation>请使用 --port ppdev:/dev/parport0</translation>
         </message>
         <message>
+            <source>use G17, or take the rotation away with G10 L2 R0</source>
+            <translation>请使用 G17，或用 G10 L2 R0 取消旋转</translation>
+        </message>
+        <message>
+            <source>use G53 in a block with G0 or G1</source>
+            <translation>请在含 G0 或 G1 的程序段中使用 G53</translation>
+        </message>
+        <message>
+            <source>use G53 under G90</source>
+            <translation>请在 G90 下使用 G53</translation>
+        </message>
+        <message>
+            <source>use G94 for cycles</source>
+            <translation>固定循环请使用 G94</translation>
+        </message>
+        <message>
+            <source>use M3: the spindle is only switched</source>
+            <translation>请使用 M3：主轴只能开关</translation>
+        </message>
+        <message>
+            <source>use an O word as docs/gcode.md has them</source>
+            <translation>O 字请按 docs/gcode.md 使用</translation>
+        </message>
+        <message>
+            <source>use fewer levels: 64 of brackets, 100 of O words, 100 of calls</source>
+            <translation>请减少层数：括号 64，O 字 100，调用 100</translation>
+        </message>
+        <message>
+            <source>use fewer names</source>
+            <translation>请少用一些名称</translation>
+        </message>
+        <message>
+            <source>use one of the G codes of docs/gcode.md</source>
+            <translation>请使用 docs/gcode.md 中的 G 代码</translation>
+        </message>
+        <message>
+            <source>use one of the M codes of docs/gcode.md</source>
+            <translation>请使用 docs/gcode.md 中的 M 代码</translation>
+        </message>
+        <message>
             <source>use the GNU C library's allocator</source>
             <translation>使用 GNU C 库的内存分配器</translation>
+        </message>
+        <message>
+            <source>use the letters that [gcode] in the profile gives to the axes</source>
+            <translation>请使用配置中 [gcode] 给各轴的字母</translation>
+        </message>
+        <message>
+            <source>use the operators and functions of docs/gcode.md</source>
+            <translation>请使用 docs/gcode.md 中的运算符和函数</translation>
+        </message>
+        <message>
+            <source>use the parameters #1 to #5601</source>
+            <translation>请使用参数 #1 至 #5601</translation>
         </message>
         <message>
             <source>virtual clock</source>
@@ -7994,6 +9034,26 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>without area: %1</source>
             <translation>无面积：%1</translation>
+        </message>
+        <message>
+            <source>write #number=value or #&lt;name&gt;=value</source>
+            <translation>请写成 #编号=值 或 #&lt;名称&gt;=值</translation>
+        </message>
+        <message>
+            <source>write a number behind the letter</source>
+            <translation>请在字母后写数字</translation>
+        </message>
+        <message>
+            <source>write a whole number</source>
+            <translation>请写整数</translation>
+        </message>
+        <message>
+            <source>write it with fewer digits</source>
+            <translation>请用更少的位数</translation>
+        </message>
+        <message>
+            <source>write the subroutine into the same file</source>
+            <translation>请把子程序写在同一文件中</translation>
         </message>
         <message>
             <source>yes</source>

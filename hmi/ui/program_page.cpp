@@ -272,10 +272,10 @@ void ProgramPage::show_program() {
         const auto& all = desk.program()->problems;
         for (const auto* list : {&all.errors(), &all.warnings()}) {
             for (const gcode::Problem& problem : *list) {
+                const session::Phrase place = session::phrase(
+                    "Line %1, column %2", std::to_string(problem.line), std::to_string(problem.column));
                 auto* item =
-                    new QListWidgetItem{tr("Line %1, column %2").arg(problem.line).arg(problem.column) +
-                                            QStringLiteral(": ") + problem_words(problem),
-                                        problems_};
+                    new QListWidgetItem{words(session::joined(place, problem_phrase(problem))), problems_};
                 item->setData(Qt::UserRole, static_cast<qulonglong>(problem.line));
             }
         }

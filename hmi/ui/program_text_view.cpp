@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "hmi/ui/words.hpp"
+
 namespace psicarve::ui {
 namespace {
 
@@ -22,12 +24,7 @@ constexpr int kWheelLines = 3;
 }  // namespace
 
 QString problem_words(const gcode::Problem& problem) {
-    const auto text = [](std::string_view part) {
-        return QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size()));
-    };
-    return QStringLiteral("%1: %2; %3")
-        .arg(text(gcode::name_of(problem.code)), QString::fromStdString(gcode::what_text(problem)),
-             text(gcode::remedy_of(problem.code)));
+    return words(gcode::problem_phrase(problem));
 }
 
 ProgramTextView::ProgramTextView(program::TextWindow& text, QWidget* parent)

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kRecordsAtOnce = 1024;
 
 Error error_of(const gcode::Problem& problem) {
-    return bad_input("line " + std::to_string(problem.line) + ": " + problem.what);
+    return bad_input("line " + std::to_string(problem.line) + ": " + gcode::what_text(problem));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST_P(BadPrograms, AreToldByTheirPlaceAndCodeAlone) {
     EXPECT_EQ(read->faults(),
               Faults{std::to_string(bad.line) + ":" + std::to_string(bad.column) + " " + bad.code});
     ASSERT_FALSE(read->problems.errors().empty());
-    EXPECT_FALSE(read->problems.errors().front().what.empty());
+    EXPECT_FALSE(what_text(read->problems.errors().front()).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Gcode, BadPrograms, ::testing::ValuesIn(bad_programs()),
@@ -67,8 +67,35 @@ TEST(ProblemCodes, StandInTheDocumentation) {
 }
 
 TEST(Problems, AreOneLineWithPlaceCodeAndRemedy) {
-    EXPECT_EQ(problem_text({3, 7, ProblemCode::feed_missing, "no feed"}, "a.ngc"),
+    EXPECT_EQ(problem_text({3, 7, ProblemCode::feed_missing, phrase("no feed")}, "a.ngc"),
               "a.ngc:3:7: feed_missing: no feed; give F before the first move that cuts");
+}
+
+// JSON has them as they are, a terminal and a window only what does not steer them.
+TEST(Problems, KeepTheBytesOfTheirFile) {
+    const auto read = read_program("G0 X1 \x01\nM2\n");
+    ASSERT_EQ(read->problems.errors().size(), 1U);
+    const Problem& problem = read->problems.errors().front();
+    EXPECT_EQ(what_text(problem), "'\x01' begins no word");
+    EXPECT_EQ(in_english(problem.what), "'\\u0001' begins no word");
+    EXPECT_EQ(problem.what.arguments, std::vector<std::string>{"\x01"});
+    EXPECT_EQ(problem_text(problem, "a.ngc"),
+              "a.ngc:1:7: bad_character: '\x01' begins no word; a block holds words, comments, / and %");
+}
+
+TEST(Problems, SayHowOftenWhatIsToldOnce) {
+    const Problem problem{3, 7, ProblemCode::not_stepped, phrase("a way %1", "x"), 12};
+    EXPECT_EQ(
+        problem_text(problem, "a.ngc"),
+        "a.ngc:3:7: not_stepped: a way x (12 times, here first); docs/gcode.md says which ways run step "
+        "by step");
+    EXPECT_EQ(what_text(problem), "a way x");
+}
+
+// No number is cut, however small a feed makes it.
+TEST(Problems, HaveAllDigitsOfTheirNumbers) {
+    EXPECT_EQ(number_as("%.0f", 1e300).size(), 301U);
+    EXPECT_EQ(mm_text(-1.25), "-1.2500");
 }
 
 TEST(Problems, AreAllCountedAndAHundredKept) {

@@ -133,7 +133,7 @@ TEST(Expressions, HaveTheValueThatCppGivesThemToTheLastBit) {
         const std::string text = "[" + made.text + "]";
         double value = 0.0;
         ExpressionReader sut{text, 0, parameters, false};
-        ASSERT_TRUE(sut.read_value(value)) << text << ": " << sut.fault().what;
+        ASSERT_TRUE(sut.read_value(value)) << text << ": " << in_english(sut.fault().what);
         ASSERT_EQ(sut.at(), text.size()) << text;
         ASSERT_NEAR(value, made.value, 1e-12 * (1.0 + std::abs(made.value))) << text;
         ++compared;

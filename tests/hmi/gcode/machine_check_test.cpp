@@ -107,7 +107,7 @@ TEST(MachineCheck, WarnsOnceOfEachKindOfWayThatIsNotStepped) {
         for (const Problem& problem : read->problems.warnings())
             if (problem.code == ProblemCode::not_stepped)
                 told.push_back(std::to_string(problem.line) + " " + std::to_string(problem.times) + " " +
-                               problem.what);
+                               what_text(problem));
         return told;
     };
     EXPECT_EQ(not_stepped(profile), std::vector<std::string>{});

@@ -131,7 +131,7 @@ TEST(Polar, RefusesAWayThroughTheCoreWithThePoint) {
     const auto read = drawn(kPolar + "G1 X20 C4\nX-20\nX-20 C6\nX20\nM2\n", profile);
     ASSERT_FALSE(read->problems.errors().empty());
     EXPECT_EQ(read->faults(), Faults{"5:1 core_radius"});
-    EXPECT_EQ(read->problems.errors().front().what,
+    EXPECT_EQ(what_text(read->problems.errors().front()),
               "at X 0.0000 C 4.0000 mm the tip of r1 comes to 4.0000 mm, and the core that it must not reach "
               "ends at 5.0000 mm");
     // To the pulse: 400 of them a mm.
@@ -146,7 +146,7 @@ TEST(Polar, RefusesTheAxisWhereNoMachineIsAsked) {
     const auto read = read_program("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 X-40\nM2\n");
     ASSERT_FALSE(read->problems.errors().empty());
     EXPECT_EQ(read->faults(), Faults{"4:4 core_radius"});
-    EXPECT_EQ(read->problems.errors().front().what, "at X 0.0000 C 0.0000 mm the way passes the axis");
+    EXPECT_EQ(what_text(read->problems.errors().front()), "at X 0.0000 C 0.0000 mm the way passes the axis");
     EXPECT_EQ(read_program("G21 G90 F300\nG0 X40 C0\nG12.1\nG1 C.01\nX-40\nM2\n")->faults(), Faults{});
 }
 
@@ -205,7 +205,7 @@ TEST(Polar, IsRefusedWhereTheHeadThatFollowsHasItsTipElsewhere) {
     profile.r2.tool_wear_mm = 0.2;
     const auto read = drawn(kPolar + "G1 X30\nM2\n", profile);
     ASSERT_EQ(read->faults(), Faults{"3:1 drawing_begin"});
-    EXPECT_EQ(read->problems.errors().front().what,
+    EXPECT_EQ(what_text(read->problems.errors().front()),
               "G12.1, and the tip of r2, which follows, stands 0.2000 mm further out");
     profile.gcode.second_head = SecondHead::own;
     EXPECT_EQ(drawn_faults(kPolar + "G1 X30\nM2\n", profile), Faults{});
@@ -220,7 +220,7 @@ TEST(Polar, KeepsBothHeadsOutOfTheirCoresWhereTheSecondFollows) {
     const auto what = [&](const std::string& out) {
         const auto read = drawn(kPolar + "G1 X20 C" + out + "\nX-20\nM2\n", profile);
         EXPECT_LE(read->problems.errors().size(), 1U) << out;
-        return read->problems.errors().empty() ? "" : read->problems.errors().front().what;
+        return read->problems.errors().empty() ? "" : what_text(read->problems.errors().front());
     };
     EXPECT_EQ(what("5"), "");
     // To the pulse of each: that is still r1's last one, and three of r2's too far in.

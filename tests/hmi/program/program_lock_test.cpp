@@ -44,7 +44,7 @@ TEST_F(ProgramLock, LetsARightProgramStartOnAReadyMachine) {
 TEST_F(ProgramLock, SaysWhatIsWrongWithTheProgram) {
     switches_.from_line = 11;
     EXPECT_EQ(lock(), "Start: the program ends in line 10");
-    program_.problems.add({1, 1, gcode::ProblemCode::feed_missing, "x"});
+    program_.problems.add({1, 1, gcode::ProblemCode::feed_missing, session::phrase("x")});
     EXPECT_EQ(lock(), "Start: errors in the program: 1");
     has_program_ = false;
     EXPECT_EQ(lock(), "Start: no program is open");

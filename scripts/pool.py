@@ -51,13 +51,25 @@ def lines_for(preset, test, environment):
     return f"add_test({name} {command})\nset_tests_properties({name} PROPERTIES {pairs})\n"
 
 
+def is_left_out(test):
+    """Whether only a long run has it (tests/CMakeLists.txt)."""
+    labels = next((entry["value"] for entry in test.get("properties", []) if entry["name"] == "LABELS"), [])
+    return "long" in labels and os.environ.get("PSICARVE_LONG") != "1"
+
+
 def write_pool(folder, root, environments):
-    """Makes folder a build folder for ctest with the tests of all presets. environments: preset -> [VARIABLE=VALUE...]."""
+    """Makes folder a build folder for ctest with the tests of all presets. environments: preset -> [VARIABLE=VALUE...].
+    Returns how many tests of each preset are left out."""
     os.makedirs(folder, exist_ok=True)
+    left_out = dict.fromkeys(environments, 0)
     with open(os.path.join(folder, "CTestTestfile.cmake"), "w", encoding="utf-8") as file:
         for preset, environment in environments.items():
             for test in tests_of(preset, root):
+                if is_left_out(test):
+                    left_out[preset] += 1
+                    continue
                 file.write(lines_for(preset, test, environment))
+    return left_out
 
 
 class Stopwatch:
@@ -76,7 +88,7 @@ class Stopwatch:
         return self.last_end.get(preset, 0.0)
 
 
-def summary(names, failed, not_run, seconds):
+def summary(names, failed, not_run, seconds, left_out=0):
     """The closing words of ctest for the tests of one preset. not_run: (name, why)."""
     if not names:
         return "0% tests passed, no test ran, or ctest ended before it could say which did\n"
@@ -84,6 +96,8 @@ def summary(names, failed, not_run, seconds):
     bad = len(failed) + sum(why != "Skipped" for _, why in not_run)
     share = 100 if not bad else min(99, 100 * (ran - len(failed)) // len(names))
     lines = [f"{share}% tests passed, {bad} tests failed out of {len(names)}", "", f"Total Test time (real) = {seconds:6.2f} sec"]
+    if left_out:
+        lines += ["", f"{left_out} more tests run with --long"]
     if not_run:
         lines += ["", "The following tests did not run:", *(f"\t{name} ({why})" for name, why in not_run)]
     if failed:

@@ -114,9 +114,9 @@ class Outcome:
         part.failed = [(name.removeprefix(own), output) for name, output in self.failed if name.startswith(own)]
         return part
 
-    def summary(self, seconds):
+    def summary(self, seconds, left_out):
         not_run = [(name, "Skipped") for name in self.skipped] + [(name, "Not Run") for name in self.not_started]
-        return pool.summary(self.names, [name for name, _ in self.failed], not_run, seconds)
+        return pool.summary(self.names, [name for name, _ in self.failed], not_run, seconds, left_out)
 
 
 def run_ctest(log, arguments, environment=None, hear=lambda line: None):
@@ -197,7 +197,7 @@ def judge(preset, logs, outcome, may_try_again):
 
 def run(presets, logs, arguments):
     folder = os.path.join(root(), "build", "suite")
-    pool.write_pool(folder, root(), {preset: sanitizer_variables(report_path(logs, preset)) for preset in presets})
+    left_out = pool.write_pool(folder, root(), {preset: sanitizer_variables(report_path(logs, preset)) for preset in presets})
     watch = pool.Stopwatch()
     outcome = run_ctest(
         os.path.join(logs, "ctest-all.log"), ["--test-dir", folder, "--output-on-failure", *arguments], hear=watch.hear,
@@ -205,7 +205,7 @@ def run(presets, logs, arguments):
     parts = {preset: outcome.of(preset) for preset in presets}
     for preset, part in parts.items():
         with open(os.path.join(logs, f"ctest-{preset}.log"), "a", encoding="utf-8") as file:
-            file.write(part.summary(watch.seconds(preset)))
+            file.write(part.summary(watch.seconds(preset), left_out[preset]))
     may_try_again = len(outcome.failed) <= MOST_TRIED_AGAIN
     if not may_try_again:
         print(f"{len(outcome.failed)} tests failed: none is tried again", flush=True)

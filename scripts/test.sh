@@ -22,9 +22,9 @@ usage: ${0##*/} [--quick | --long | PART...]
        ${0##*/} --again N NAME [PRESET]
 
 Installs the Debian packages that are missing, then checks the formatting, builds dev, tsan and asan and runs their tests
-side by side as one suite: all in dev and under AddressSanitizer and UndefinedBehaviorSanitizer, those with threads under
-ThreadSanitizer. Then fuzzes the parsers a little, and runs clang-tidy over the units of dev. Closes with a summary of each
-preset's tests. Tests that fail run again, alone, at most twice. The closing lines name those that passed then as FLAKY, and where to read what they
+side by side as one suite: all in dev, under AddressSanitizer and UndefinedBehaviorSanitizer all but those that go over
+the same lines as others (docs/contributing.md), those with threads under ThreadSanitizer. Then fuzzes the parsers a
+little, and runs clang-tidy over the units of dev. Closes with a summary of each preset's tests. Tests that fail run again, alone, at most twice. The closing lines name those that passed then as FLAKY, and where to read what they
 said first; more than $most_flaky of a run fail it. Where a failure can have no excuse (equal bytes, deaths, mutated segments,
 the guard, what a sanitizer reports) there is no second chance.
 

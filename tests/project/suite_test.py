@@ -104,6 +104,19 @@ class Suite(unittest.TestCase):
         self.assertIn("\tB.Two (Skipped)\n", self.read("logs/ctest-dev.log"))
         self.assertIn("\tB.One (Not Run)\n", self.read("logs/ctest-asan.log"))
 
+    def test_what_only_a_long_run_has_is_left_out_and_counted(self):
+        count = os.path.join(WORK, "count")
+        asan = test("B.One", f"echo one >>{count}") + test("B.Two", f"echo two >>{count}", "LABELS long")
+        self.assertEqual(self.run_suite("", asan), 0, self.said)
+        self.assertEqual(self.read("count").split(), ["one"])
+        self.assertIn("0 tests failed out of 1\n", self.read("logs/ctest-asan.log"))
+        self.assertIn("\n1 more tests run with --long\n", self.read("logs/ctest-asan.log"))
+        self.assertNotIn("--long", self.read("logs/ctest-dev.log"))
+        self.addCleanup(os.environ.pop, "PSICARVE_LONG")
+        os.environ["PSICARVE_LONG"] = "1"
+        self.assertEqual(self.run_suite("", asan), 0, self.said)
+        self.assertEqual(sorted(self.read("count").split()), ["one", "one", "two"])
+
     def test_no_test_at_all_is_no_success(self):
         self.assertEqual(self.run_suite("", ""), 1)
         self.assertEqual(self.verdicts, {"dev": "passed", "asan": "FAILED"})

@@ -1665,6 +1665,10 @@ F12  этот список</translation>
             <translation>Самописец</translation>
         </message>
         <message>
+            <source>Flood</source>
+            <translation>Подача СОЖ</translation>
+        </message>
+        <message>
             <source>Flute length</source>
             <translation>Режущая длина</translation>
         </message>
@@ -2637,6 +2641,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пропущено</translation>
         </message>
         <message>
+            <source>Mist</source>
+            <translation>СОЖ распылением</translation>
+        </message>
+        <message>
             <source>Model</source>
             <translation>Модель</translation>
         </message>
@@ -3027,6 +3035,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Optional stop</source>
             <translation>Останов по выбору</translation>
+        </message>
+        <message>
+            <source>Output %1</source>
+            <translation>Выход %1</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -4337,6 +4349,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Выключите станок его собственным выключателем</translation>
         </message>
         <message>
+            <source>Switched off: %1</source>
+            <translation>Выключено: %1</translation>
+        </message>
+        <message>
+            <source>Switched on: %1</source>
+            <translation>Включено: %1</translation>
+        </message>
+        <message>
             <source>Switches one output at a time. Home again afterwards.</source>
             <translation>Переключает по одному выходу. Затем снова найдите нули.</translation>
         </message>
@@ -4927,6 +4947,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.</source>
             <translation>Затем: головки наружу, Ψ на %1°, Y на %2 mm, шпиндель вкл., головки внутрь до R1 %3, R2 %4 mm.</translation>
+        </message>
+        <message>
+            <source>These outputs go on: %1.</source>
+            <translation>Включаются выходы: %1.</translation>
         </message>
         <message>
             <source>This computer</source>
@@ -6561,6 +6585,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>line %1: %2 cannot count so far</source>
             <translation>строка %1: %2 не может отсчитать так далеко</translation>
+        </message>
+        <message>
+            <source>line %1: %2 is not wired to any pin; give its pin in the profile</source>
+            <translation>строка %1: %2 не подключён ни к одному контакту; задайте его контакт в профиле</translation>
         </message>
         <message>
             <source>line %1: %2 would come to %3, inside the core radius of %4; carve less deep</source>

@@ -47,7 +47,7 @@ bool Cycle::holds_starved_program() noexcept {
 void Cycle::program_of_records_done() noexcept {
     note_program_line();
     program_.note_done();
-    pulses_.set_spindle(false);
+    pulses_.end_switches();
     drop_plan();
     apply(MachineEvent::program_done);
 }

@@ -16,12 +16,13 @@ struct ProgramStep {
     StopReason reason = StopReason::program;  ///< stop
     bool is_rapid = false;
     bool ends_block = false;
-    bool is_spindle_on = false;  ///< spindle
-    std::uint64_t line = 0;      ///< from 1
-    std::uint64_t sequence = 0;  ///< of the record, from 1
-    Pulses4 target_pulses{};     ///< way: where all axes are after it
-    double seconds = 0.0;        ///< way: the least it may take; dwell: how long
-    double tolerance_mm = 0.0;   ///< way: 0: its end is reached to the pulse, at rest
+    bool is_on = false;           ///< spindle, output
+    SwitchedOutputs outputs = 0;  ///< output: which
+    std::uint64_t line = 0;       ///< from 1
+    std::uint64_t sequence = 0;   ///< of the record, from 1
+    Pulses4 target_pulses{};      ///< way: where all axes are after it
+    double seconds = 0.0;         ///< way: the least it may take; dwell: how long
+    double tolerance_mm = 0.0;    ///< way: 0: its end is reached to the pulse, at rest
     /// By point-by-point comparison, from rest to rest: a line or an arc of these axes, bit by axis.
     cycle::OrderShape shape = cycle::OrderShape::straight;
     std::uint8_t stepped_axes = 0;

@@ -68,7 +68,7 @@ Result<std::optional<RightProgram>> read_right_program(const GcodeRunOptions& op
     auto bytes = gcode::open_program(options.path);
     if (!bytes) return bytes.error();
     gcode::LineSource lines{std::move(bytes).value()};
-    gcode::ApproachFinder approach{gcode::AxisLetters{profile.gcode}, std::max(options.from_line, 1U)};
+    gcode::ApproachFinder approach{profile, std::max(options.from_line, 1U)};
     CheckSinks sinks{machine, approach};
     const auto facts = interpret_patiently(lines, how, sinks, problems, operator_break);
     if (!facts) return facts.error();

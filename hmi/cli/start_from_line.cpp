@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/report/status_json.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -52,6 +53,9 @@ std::string start_text(const LineStart& start) {
     } else if (turns_on) {
         text += "  the spindle goes on\n";
     }
+    if (approach.outputs_on != 0 && !start.is_dry)
+        text +=
+            "  outputs go on: " + report::signals_text(levels_of(approach.outputs_on), kSwitchedMask) + "\n";
     if (approach.placed != 0 || start.is_dry) text += ways_text(start);
     if (!start.is_spindle_on && !turns_on) text += "  the spindle stays off until the program turns it on\n";
     text.pop_back();

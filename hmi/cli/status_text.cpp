@@ -82,15 +82,23 @@ std::string realtime_text(const CoreStatus& status) {
     return text;
 }
 
+/// ", on: mist output_2", none: "".
+std::string switched_text(SignalWord levels) {
+    if ((levels & kSwitchedMask) == 0) return {};
+    return ", on: " + signals_text(levels, kSwitchedMask);
+}
+
 std::string outputs_text(const CoreStatus& status) {
     const bool is_spindle_on = (status.signals & bit_of(Signal::spindle)) != 0;
     const std::string drives =
         axes_in(static_cast<std::uint8_t>((status.signals & kEnableMask) >> index_of(Signal::r1_enable)));
     if (status.is_port_silent == 0)
-        return "drives on  " + drives + ", spindle " + (is_spindle_on ? "on" : "off") + "\n";
+        return "drives on  " + drives + ", spindle " + (is_spindle_on ? "on" : "off") +
+               switched_text(status.signals) + "\n";
     return "port       does not answer: drives and spindle may be ON; switch the machine off by its own "
            "switch\ndrives     last on: " +
-           drives + "; spindle last " + (is_spindle_on ? "on" : "off") + "; the core goes on trying\n";
+           drives + "; spindle last " + (is_spindle_on ? "on" : "off") + switched_text(status.signals) +
+           "; the core goes on trying\n";
 }
 
 /// For a latched alarm about lost steps.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/gcode/approach.hpp"
 
+#include "hmi/gcode/switched_outputs.hpp"
+
 namespace psicarve::gcode {
 
 void ApproachFinder::begin_line(const ReachedLine& line) {
@@ -10,6 +12,7 @@ void ApproachFinder::begin_line(const ReachedLine& line) {
 void ApproachFinder::take(const CanonRecord& record) {
     if (is_there_) return;
     if (record.kind == CanonKind::spindle) found_.is_spindle_on = record.code == 3;
+    found_.outputs_on = outputs_behind(record, found_.outputs_on, wired_outputs_);
     const bool moves =
         record.kind == CanonKind::rapid || record.kind == CanonKind::feed || record.kind == CanonKind::arc;
     if (!moves) return;

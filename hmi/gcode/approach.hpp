@@ -7,6 +7,7 @@
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
 #include "shared/machine/signal.hpp"
+#include "shared/profile/profile.hpp"
 
 namespace psicarve::gcode {
 
@@ -15,15 +16,16 @@ struct Approach {
     std::array<double, kAxisCount> place{};  ///< mm, degrees
     std::uint8_t placed = 0;                 ///< bit of each axis that is brought to its place
     bool is_spindle_on = false;
-    bool is_needed() const noexcept { return placed != 0 || is_spindle_on; }
+    SwitchedOutputs outputs_on = 0;
+    bool is_needed() const noexcept { return placed != 0 || is_spindle_on || outputs_on != 0; }
     bool brings(Axis axis) const noexcept { return (placed >> index_of(axis) & 1U) != 0; }
 };
 
 /// Notes what stands before a line.
 class ApproachFinder : public CanonSink {
 public:
-    ApproachFinder(const AxisLetters& letters, std::uint32_t from_line) noexcept
-        : letters_(letters), from_line_(from_line) {}
+    ApproachFinder(const Profile& profile, std::uint32_t from_line) noexcept
+        : letters_(profile.gcode), wired_outputs_(wired_outputs(profile)), from_line_(from_line) {}
 
     void begin_line(const ReachedLine& line) override;
     void take(const CanonRecord& record) override;
@@ -31,6 +33,7 @@ public:
 
 private:
     AxisLetters letters_;
+    SwitchedOutputs wired_outputs_;
     std::uint32_t from_line_;
     bool is_there_ = false;
     Approach found_;

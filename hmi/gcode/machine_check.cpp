@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hmi/gcode/arc.hpp"
+#include "hmi/gcode/switched_outputs.hpp"
 #include "shared/base/units.hpp"
 #include "shared/program/motion_record.hpp"
 
@@ -31,6 +32,7 @@ MachineCheck::MachineCheck(const Profile& profile, ProblemList& problems)
     : problems_(problems),
       letters_(profile.gcode),
       stepped_(profile),
+      wired_outputs_(wired_outputs(profile)),
       axes_{{{Axis::r1, axis_motion(profile, Axis::r1), core_radius_pulses(profile, Axis::r1), "r1"},
              {Axis::r2, axis_motion(profile, Axis::r2), core_radius_pulses(profile, Axis::r2), "r2"},
              {Axis::y, axis_motion(profile, Axis::y), 0, "y"}}},
@@ -74,14 +76,24 @@ void MachineCheck::judge_switches(const CanonRecord& record) {
         refuse(record, ProblemCode::spindle_reverse, phrase("M4: the machine's spindle does not turn back"));
     if (record.kind == CanonKind::speed)
         refuse(record, ProblemCode::speed_unused, phrase("S: the machine's spindle is only switched"));
-    if (record.kind == CanonKind::coolant && record.code != 9)
-        refuse(record, ProblemCode::coolant_unused, phrase("the machine has no output for coolant"));
+    if (record.kind == CanonKind::coolant && record.code != 9) judge_coolant(record);
     if (record.kind == CanonKind::dwell) (void)lasts_no_day(record, record.value);
     if (record.kind == CanonKind::override_set) judge_override(record);
     if (record.kind == CanonKind::path) judge_tolerance(record);
-    if (record.kind == CanonKind::output || record.kind == CanonKind::input)
+    const bool is_missing = record.kind == CanonKind::output && (outputs_of(record) & wired_outputs_) == 0;
+    if (is_missing || record.kind == CanonKind::input)
         refuse(record, ProblemCode::output_missing,
                phrase("%1: the machine has no such output or input", "M" + std::to_string(record.code)));
+}
+
+void MachineCheck::judge_coolant(const CanonRecord& record) {
+    if ((outputs_of(record) & wired_outputs_) != 0) return;
+    constexpr SwitchedOutputs kCoolant = switched_bit(Signal::mist) | switched_bit(Signal::flood);
+    if ((wired_outputs_ & kCoolant) == 0)
+        return refuse(record, ProblemCode::coolant_unused, phrase("the machine has no output for coolant"));
+    refuse(record, ProblemCode::coolant_unused,
+           record.code == 7 ? phrase("the machine has no output for mist")
+                            : phrase("the machine has no output for flood"));
 }
 
 /// What asks for the state that holds here anyway is right: no switch is wired, and the operator may always

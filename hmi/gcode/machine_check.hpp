@@ -33,6 +33,7 @@ private:
 
     void refuse(const CanonRecord& record, ProblemCode code, Phrase what);
     void judge_switches(const CanonRecord& record);
+    void judge_coolant(const CanonRecord& record);
     void judge_override(const CanonRecord& record);
     bool lasts_no_day(const CanonRecord& record, double seconds);
     bool is_way_in_time(const CanonRecord& record);
@@ -48,6 +49,7 @@ private:
     bool is_way_refused_ = false;  ///< the drawn one that is not at its end
     AxisLetters letters_;
     SteppedWays stepped_;
+    SwitchedOutputs wired_outputs_;
     std::array<LinearAxis, 3> axes_;
     double tips_mm_;  ///< how much further out than counted both heads' tips stand, together
     double clearance_mm_;

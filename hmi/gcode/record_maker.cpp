@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hmi/gcode/arc_chords.hpp"
+#include "hmi/gcode/switched_outputs.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::gcode {
@@ -31,6 +32,7 @@ RecordMaker::RecordMaker(const Profile& profile, const RunOptions& options, Reco
       turns_shortest_(profile.gcode.turns_shortest),
       out_mm_{furthest_out_mm(profile, Axis::r1), furthest_out_mm(profile, Axis::r2)},
       own_tolerance_mm_(profile.job.path_tolerance_mm),
+      wired_outputs_(wired_outputs(profile)),
       tolerance_mm_(profile.job.path_tolerance_mm),
       has_come_(options.from_line <= 1) {}
 
@@ -58,7 +60,7 @@ Result<void> RecordMaker::finish() {
 
 void RecordMaker::begin(const CanonRecord& record) {
     has_begun_ = true;
-    const bool is_within = has_moved_ || is_spindle_on_;
+    const bool is_within = has_moved_ || is_spindle_on_ || outputs_on_ != 0;
     const std::uint64_t line = is_within ? options_.from_line : record.line;
     if (is_within) approach(line);
     if (options_.is_dry && !has_moved_) put_heads_out(line);
@@ -87,6 +89,7 @@ bool RecordMaker::stays_turned(const CanonRecord& record) const noexcept {
 /// To where the program stands by now, from anywhere.
 void RecordMaker::approach(std::uint64_t line) {
     if (is_spindle_on_ && !options_.is_dry) put(MotionKind::spindle, line, 1, 0.0);
+    put_outputs(line, outputs_on_, true);
     if (!has_moved_) return;
     put_heads_out(line);
     for (const AxisMask letters :
@@ -101,6 +104,7 @@ void RecordMaker::note(const CanonRecord& record) noexcept {
         tolerance_mm_ = record.value > 0.0 ? record.value : own_tolerance_mm_;
     }
     if (record.kind == CanonKind::spindle) is_spindle_on_ = record.code != 5;
+    outputs_on_ = outputs_behind(record, outputs_on_, wired_outputs_);
     if (record.kind == CanonKind::end) has_ended_ = true;
     if (!is_motion(record)) return;
     place_ = record.end;
@@ -132,12 +136,13 @@ void RecordMaker::carry_out(const CanonRecord& record) {
                 0.0);
         case CanonKind::end:
             return put(MotionKind::end, record.line, 0, 0.0);
+        case CanonKind::coolant:
         case CanonKind::output:
+            return switch_outputs(record);
         case CanonKind::input:
             return refuse(record, "the machine has no such output or input");
         case CanonKind::path:
         case CanonKind::speed:
-        case CanonKind::coolant:
         case CanonKind::tool_select:
         case CanonKind::override_set:
             return;  // a mode, or MachineCheck has warned that it does nothing here
@@ -274,6 +279,24 @@ void RecordMaker::put_heads_out(std::uint64_t line) {
         way.target[head] = out_mm_[head];
     }
     outlet_.put(way);
+}
+
+/// Coolant without an output does nothing here, as MachineCheck has warned.
+void RecordMaker::switch_outputs(const CanonRecord& record) {
+    const SwitchedOutputs wired = outputs_of(record) & wired_outputs_;
+    if (record.kind == CanonKind::output && wired == 0)
+        return refuse(record, "the machine has no such output or input");
+    put_outputs(record.line, wired, switches_on(record));
+}
+
+void RecordMaker::put_outputs(std::uint64_t line, SwitchedOutputs outputs, bool is_on) {
+    if (outputs == 0 || options_.is_dry) return;
+    MotionRecord record{};
+    record.kind = MotionKind::output;
+    record.line = line;
+    record.code = is_on ? 1 : 0;
+    record.outputs = outputs;
+    outlet_.put(record);
 }
 
 void RecordMaker::put(MotionKind kind, std::uint64_t line, std::uint8_t code, double seconds) {

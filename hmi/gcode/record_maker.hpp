@@ -17,7 +17,7 @@ struct RunOptions {
     std::uint64_t program = 0;       ///< the number that its records bear
     std::uint64_t from_line = 0;     ///< what lies before makes no motion, but counts; 0, 1: all is run
     bool stops_at_optional = false;  ///< M1 stops
-    bool is_dry = false;             ///< spindle off, heads outside the blank: only psi and y move
+    bool is_dry = false;  ///< spindle and outputs off, heads outside the blank: only psi and y move
 };
 
 /// Makes canonical motion into the records that the core takes (docs/gcode.md). In constant memory, one
@@ -54,6 +54,8 @@ private:
     void put_way(std::uint64_t line, const Position& end, AxisMask letters, double seconds,
                  double tolerance_mm, bool is_rapid);
     void put_heads_out(std::uint64_t line);
+    void switch_outputs(const CanonRecord& record);
+    void put_outputs(std::uint64_t line, SwitchedOutputs outputs, bool is_on);
     void put(MotionKind kind, std::uint64_t line, std::uint8_t code, double seconds);
     void refuse(const CanonRecord& record, const std::string& what);
 
@@ -70,10 +72,12 @@ private:
     bool turns_shortest_;
     std::array<double, kHeads> out_mm_;  ///< where heads are outside everything
     double own_tolerance_mm_;            ///< the profile's
+    SwitchedOutputs wired_outputs_;
     // What the program has said so far.
     double tolerance_mm_;  ///< where ends are exact it is that of arcs, the profile's
     bool is_exact_ = false;
     bool is_spindle_on_ = false;
+    SwitchedOutputs outputs_on_ = 0;
     double psi_shift_deg_ = 0.0;  ///< whole turns that psi is further than C says
     Position place_{};
     AxisMask placed_ = 0;

@@ -48,7 +48,10 @@ std::vector<std::string> axis_words(const std::string& tail) {
 
 std::vector<std::string> output_words() {
     std::vector<std::string> words;
-    for (std::size_t i = 0; i < kOutputSignalCount; ++i) words.emplace_back(name_of(static_cast<Signal>(i)));
+    for (std::size_t i = 0; i < kSignalCount; ++i) {
+        const auto signal = static_cast<Signal>(i);
+        if (is_output(signal)) words.emplace_back(name_of(signal));
+    }
     return words;
 }
 

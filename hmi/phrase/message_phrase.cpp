@@ -241,6 +241,8 @@ std::vector<Row> of_programs() {
          phrase("the program breaks off behind line %1: who read it is gone; start it again")},
         {Id::program_arc_unsound,
          phrase("line %1: its ends are not as far from the arc's centre as each other; start it again")},
+        {Id::program_output_not_wired,
+         phrase("line %1: %2 is not wired to any pin; give its pin in the profile")},
         {Id::program_start_moved, phrase("the machine has moved since the program was read; start it again")},
         {Id::no_such_program, phrase("program %1 is not the one that waits to be run; start it again")},
     };

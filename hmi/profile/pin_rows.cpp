@@ -59,6 +59,12 @@ Phrase short_name_of(Signal signal) {
             return phrase("Pump");
         case Signal::spindle:
         case Signal::psi_index:
+        case Signal::mist:
+        case Signal::flood:
+        case Signal::output_0:
+        case Signal::output_1:
+        case Signal::output_2:
+        case Signal::output_3:
             break;
     }
     return name_of_signal(signal);
@@ -104,6 +110,18 @@ Phrase name_of_signal(Signal signal) {
             return phrase("Y limit");
         case Signal::estop:
             return phrase("Emergency stop");
+        case Signal::mist:
+            return phrase("Mist");
+        case Signal::flood:
+            return phrase("Flood");
+        case Signal::output_0:
+            return phrase("Output %1", "0");
+        case Signal::output_1:
+            return phrase("Output %1", "1");
+        case Signal::output_2:
+            return phrase("Output %1", "2");
+        case Signal::output_3:
+            return phrase("Output %1", "3");
         case Signal::charge_pump:
             return phrase("Charge pump");
     }
@@ -129,6 +147,7 @@ std::vector<PinRow> pin_rows(const Profile& profile) {
     for (std::size_t i = 0; i < kSignalCount; ++i) {
         const auto signal = static_cast<Signal>(i);
         const int pin = profile.port.pins[i];
+        if (is_switched_output(signal) && pin == 0) continue;
         rows.push_back(
             {signal, name_of_signal(signal), std::abs(pin), pin < 0, register_bit_of(std::abs(pin))});
     }

@@ -24,7 +24,8 @@ Phrase name_of_signal(Signal signal);
 /// A short label for a pin of the connector: "R1 Ψ en" for a pin that enables both.
 Phrase pin_label(const std::vector<Signal>& signals);
 
-/// Outputs by pin, then inputs by pin; signals that are not wired come last.
+/// Outputs by pin, then inputs by pin; signals that are not wired come last. Of the charge pump and the
+/// outputs that programs switch only those that are wired.
 std::vector<PinRow> pin_rows(const Profile& profile);
 
 /// The sensors that stop a machine and are tripped now: limit switches and the emergency stop.

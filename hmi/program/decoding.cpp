@@ -128,7 +128,7 @@ Result<DecodedPointer> decode(const DecodeRequest& request, DecodeProgress& prog
     const gcode::AxisLetters letters{request.profile.gcode};
     gcode::MachineCheck machine{request.profile, decoded->problems};
     PathSketch sketch{letters};
-    gcode::ApproachFinder approach{letters, std::max(request.from_line, 1U)};
+    gcode::ApproachFinder approach{request.profile, std::max(request.from_line, 1U)};
     DecodeSinks sinks{{&machine, &sketch, &approach}, progress};
     gcode::LineSource lines{bytes.view()};
     const auto facts =

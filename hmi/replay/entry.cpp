@@ -103,7 +103,7 @@ void tell_program(const FlightRecord& record, Entry& entry) {
 
 void tell_input(const FlightRecord& record, Entry& entry) {
     std::vector<Phrase> closed;
-    for (std::size_t k = kOutputSignalCount; k < kSignalCount; ++k) {
+    for (std::size_t k = kFirstInput; k < kFirstSwitchedOutput; ++k) {
         const auto signal = static_cast<Signal>(k);
         if ((record.signals & bit_of(signal)) == 0) continue;
         closed.push_back(session::name_of_signal(signal));
@@ -194,6 +194,14 @@ std::vector<Entry> entries_of(const std::vector<TraceIndex::PinChange>& changes)
         if ((changed & bit_of(Signal::spindle)) != 0) {
             const bool is_on = (change.after & bit_of(Signal::spindle)) != 0;
             add(change, Severity::info, is_on ? phrase("Spindle on") : phrase("Spindle off"));
+        }
+        for (std::size_t k = kFirstSwitchedOutput; k < kSignalCount; ++k) {
+            const auto output = static_cast<Signal>(k);
+            if ((changed & bit_of(output)) == 0) continue;
+            Phrase what =
+                (change.after & bit_of(output)) != 0 ? phrase("Switched on: %1") : phrase("Switched off: %1");
+            what.inner.push_back(session::name_of_signal(output));
+            add(change, Severity::info, std::move(what));
         }
         for (const Axis axis : {Axis::r1, Axis::r2, Axis::y}) {
             const SignalWord bit = bit_of(sensor_of(axis));

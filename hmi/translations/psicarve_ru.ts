@@ -1885,6 +1885,10 @@ F12  этот список</translation>
             <translation>Самописец</translation>
         </message>
         <message>
+            <source>Flood</source>
+            <translation>Подача СОЖ</translation>
+        </message>
+        <message>
             <source>Flute length</source>
             <translation>Режущая длина</translation>
         </message>
@@ -2941,6 +2945,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пропущено</translation>
         </message>
         <message>
+            <source>Mist</source>
+            <translation>СОЖ распылением</translation>
+        </message>
+        <message>
             <source>Model</source>
             <translation>Модель</translation>
         </message>
@@ -3339,6 +3347,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Optional stop</source>
             <translation>Останов по выбору</translation>
+        </message>
+        <message>
+            <source>Output %1</source>
+            <translation>Выход %1</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -4697,6 +4709,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Выключите станок его собственным выключателем</translation>
         </message>
         <message>
+            <source>Switched off: %1</source>
+            <translation>Выключено: %1</translation>
+        </message>
+        <message>
+            <source>Switched on: %1</source>
+            <translation>Включено: %1</translation>
+        </message>
+        <message>
             <source>Switches one output at a time. Home again afterwards.</source>
             <translation>Переключает по одному выходу. Затем снова найдите нули.</translation>
         </message>
@@ -5287,6 +5307,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.</source>
             <translation>Затем: головки наружу, Ψ на %1°, Y на %2 mm, шпиндель вкл., головки внутрь до R1 %3, R2 %4 mm.</translation>
+        </message>
+        <message>
+            <source>These outputs go on: %1.</source>
+            <translation>Включаются выходы: %1.</translation>
         </message>
         <message>
             <source>This computer</source>
@@ -7299,6 +7323,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>строка %1: %2 не может отсчитать так далеко</translation>
         </message>
         <message>
+            <source>line %1: %2 is not wired to any pin; give its pin in the profile</source>
+            <translation>строка %1: %2 не подключён ни к одному контакту; задайте его контакт в профиле</translation>
+        </message>
+        <message>
             <source>line %1: %2 would come to %3, inside the core radius of %4; carve less deep</source>
             <translation>строка %1: %2 пришла бы в %3, внутрь радиуса сердцевины %4; режьте мельче</translation>
         </message>
@@ -8621,6 +8649,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the machine has no output for coolant</source>
             <translation>у станка нет выхода для охлаждения</translation>
+        </message>
+        <message>
+            <source>the machine has no output for flood</source>
+            <translation>у станка нет выхода для СОЖ поливом</translation>
+        </message>
+        <message>
+            <source>the machine has no output for mist</source>
+            <translation>у станка нет выхода для СОЖ туманом</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>

@@ -1884,6 +1884,10 @@ F12  本列表</translation>
             <translation>飞行记录</translation>
         </message>
         <message>
+            <source>Flood</source>
+            <translation>冷却液</translation>
+        </message>
+        <message>
             <source>Flute length</source>
             <translation>刃长</translation>
         </message>
@@ -2940,6 +2944,10 @@ N、Shift+N  下一条、上一条记录
             <translation>丢失、跳过</translation>
         </message>
         <message>
+            <source>Mist</source>
+            <translation>喷雾</translation>
+        </message>
+        <message>
             <source>Model</source>
             <translation>模型</translation>
         </message>
@@ -3338,6 +3346,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Optional stop</source>
             <translation>选择停止</translation>
+        </message>
+        <message>
+            <source>Output %1</source>
+            <translation>输出 %1</translation>
         </message>
         <message>
             <source>Output pin 1..9, 14, 16 or 17; 0: not wired; minus: active low.</source>
@@ -4692,6 +4704,14 @@ N、Shift+N  下一条、上一条记录
             <translation>用机床自身的开关关断机床</translation>
         </message>
         <message>
+            <source>Switched off: %1</source>
+            <translation>已断开：%1</translation>
+        </message>
+        <message>
+            <source>Switched on: %1</source>
+            <translation>已接通：%1</translation>
+        </message>
+        <message>
             <source>Switches one output at a time. Home again afterwards.</source>
             <translation>一次切换一个输出。之后请重新回零。</translation>
         </message>
@@ -5282,6 +5302,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.</source>
             <translation>然后：刀头退出，Ψ 到 %1°，Y 到 %2 mm，主轴开，刀头进到 R1 %3、R2 %4 mm。</translation>
+        </message>
+        <message>
+            <source>These outputs go on: %1.</source>
+            <translation>这些输出接通：%1。</translation>
         </message>
         <message>
             <source>This computer</source>
@@ -7292,6 +7316,10 @@ N、Shift+N  下一条、上一条记录
             <translation>第 %1 行：%2 无法计数到那么远</translation>
         </message>
         <message>
+            <source>line %1: %2 is not wired to any pin; give its pin in the profile</source>
+            <translation>第 %1 行：%2 未接到任何引脚；请在配置中指定其引脚</translation>
+        </message>
+        <message>
             <source>line %1: %2 would come to %3, inside the core radius of %4; carve less deep</source>
             <translation>第 %1 行：%2 将到达 %3，在芯半径 %4 之内；请雕浅一些</translation>
         </message>
@@ -8614,6 +8642,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the machine has no output for coolant</source>
             <translation>机床没有冷却液输出</translation>
+        </message>
+        <message>
+            <source>the machine has no output for flood</source>
+            <translation>机床没有冷却液输出</translation>
+        </message>
+        <message>
+            <source>the machine has no output for mist</source>
+            <translation>机床没有喷雾输出</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>

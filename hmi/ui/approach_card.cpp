@@ -5,16 +5,27 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "hmi/profile/pin_rows.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/program_ground.hpp"
+#include "hmi/ui/words.hpp"
 
 namespace psicarve::ui {
 namespace {
 
 constexpr int kPlaceDecimals = 3;
+
+QString names_of_outputs(SwitchedOutputs outputs) {
+    QStringList names;
+    for (std::size_t k = kFirstSwitchedOutput; k < kSignalCount; ++k) {
+        const auto signal = static_cast<Signal>(k);
+        if ((levels_of(outputs) & bit_of(signal)) != 0) names += words(session::name_of_signal(signal));
+    }
+    return names.join(", ");
+}
 
 QString number_of_place(const gcode::Approach& approach, Axis axis) {
     return QString::fromStdString(session::number_text(approach.place[index_of(axis)], kPlaceDecimals));
@@ -75,6 +86,8 @@ QString ApproachCard::told(const program::Decoded& program) const {
     } else if (approach.is_spindle_on && !is_dry) {
         steps += tr("The spindle goes on.");
     }
+    if (approach.outputs_on != 0 && !is_dry)
+        steps += tr("These outputs go on: %1.").arg(names_of_outputs(approach.outputs_on));
     if (approach.placed != 0 || is_dry) {
         steps += tr("Both heads go out to the end of their travel.");
         // How far depends on where it comes from.

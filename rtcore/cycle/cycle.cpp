@@ -126,8 +126,8 @@ void Cycle::take_stops() noexcept {
 void Cycle::watch_supervisor() noexcept {
     const std::uint64_t rounds = io_->urgent.rounds.load(std::memory_order_relaxed);
     if (!supervisor_.falls_silent(rounds, config_.step_ticks() * config_.period_ns)) return;
-    const bool is_spindle_on = (pulses_.levels() & bit_of(Signal::spindle)) != 0;
-    if (is_at_rest(state_) && !is_spindle_on) return;
+    const bool is_switched_on = (pulses_.levels() & (bit_of(Signal::spindle) | kSwitchedMask)) != 0;
+    if (is_at_rest(state_) && !is_switched_on) return;
     io_->urgent.failures.fetch_or(failure_bits(AlarmCause::supervisor_stalled), std::memory_order_relaxed);
 }
 

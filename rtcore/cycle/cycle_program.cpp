@@ -50,7 +50,7 @@ void Cycle::program_of_records_done() noexcept {
     note_program_line();
     program_.note_done();
     job_.set_override(JobRun::kFullFeed_percent);
-    pulses_.set_spindle(false);
+    pulses_.end_switches();
     drop_plan();
     apply(MachineEvent::program_done);
 }

@@ -114,7 +114,7 @@ void Cycle::end_move(MoveEnd end) noexcept {
 
 void Cycle::end_after_stop() noexcept {
     drop_plan();
-    pulses_.set_spindle(false);
+    pulses_.end_switches();
     if (!program_.is_on()) job_.end(clock_.tick());
     apply(homed_.has_all() ? MachineEvent::stopped : MachineEvent::stopped_unhomed);
 }
@@ -123,7 +123,7 @@ void Cycle::stop() noexcept {
     const MachineState before = state_;
     apply(MachineEvent::stop);
     // Nothing moves, but the spindle may turn.
-    if (state_ == MachineState::ready) pulses_.set_spindle(false);
+    if (state_ == MachineState::ready) pulses_.end_switches();
     if (state_ == before) return;
     move_.end(MoveEnd::none);
     program_.wait_for(ProgramHold::none);

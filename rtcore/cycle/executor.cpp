@@ -54,6 +54,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
         case BlockKind::outputs:
             pulses_->set_enables(block().enable_mask, tick);
             if (block().spindle != Spindle::keep) pulses_->set_spindle(block().spindle == Spindle::on);
+            pulses_->switch_outputs(block().switched_on, block().switched_off);
             return kNothing;
         case BlockKind::dwell:
             feed_.pause(block().ticks);

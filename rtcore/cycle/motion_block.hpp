@@ -18,7 +18,8 @@ enum class BlockKind : std::uint8_t {
     path,         ///< one DDA segment of a timed curve; part of a run, which is a group too
     move,         ///< a motion of its own: approach, link, retraction, homing
     define,       ///< the present position of `axis` is `position_pulses`; nothing moves
-    outputs,      ///< drives and spindle as `enable_mask` and `spindle` say
+    outputs,      ///< drives, spindle and switched outputs as `enable_mask`, `spindle`, `switched_on` and
+                  ///< `switched_off` say
     dwell,        ///< `ticks` ticks of rest
     halt,         ///< of a program: rest until the operator resumes; `halt` says why
     program_end,  ///< all blocks before it are done
@@ -75,8 +76,10 @@ struct MotionBlock {
     std::uint8_t down_axes;  ///< or down, wherever in it they begin to move; their gaps are taken up first
     ProgramHold halt;        ///< halt: never none
     std::uint8_t joints;     ///< path: kGoesOn, kCarriesOn
-    std::uint32_t epoch;     ///< of the plan request it belongs to; others are dropped
-    std::uint32_t group_blocks;  ///< of the whole acceleration group or run; 0: not its first block
+    SwitchedOutputs switched_on;   ///< outputs: these go on; all others stay as they are
+    SwitchedOutputs switched_off;  ///< outputs: these go off
+    std::uint32_t epoch;           ///< of the plan request it belongs to; others are dropped
+    std::uint32_t group_blocks;    ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;
     double start_speed_per_s;  ///< lines: a group's first block only, as the next three
     double max_speed_per_s;

@@ -97,7 +97,7 @@ public:
         begun_ = 0;
     }
 
-    /// Steps low, drives and spindle off, at once.
+    /// Steps low, drives, spindle and switched outputs off, at once.
     void make_safe() noexcept {
         levels_ &= kDirMask;
         forget_waiting();
@@ -112,6 +112,14 @@ public:
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
     void set_spindle(bool on) noexcept {
         levels_ = on ? levels_ | bit_of(Signal::spindle) : levels_ & ~bit_of(Signal::spindle);
+    }
+    void switch_outputs(SwitchedOutputs on, SwitchedOutputs off) noexcept {
+        levels_ = (levels_ & ~levels_of(off)) | levels_of(on);
+    }
+    /// Spindle, coolant and digital outputs.
+    void end_switches() noexcept {
+        set_spindle(false);
+        switch_outputs(0, kAllSwitchedOutputs);
     }
 
     SignalWord levels() const noexcept { return levels_; }

@@ -75,6 +75,7 @@ void BlockList::outputs(std::uint8_t enable_mask, cycle::Spindle spindle) {
     block.kind = BlockKind::outputs;
     block.enable_mask = enable_mask;
     block.spindle = spindle;
+    if (spindle == cycle::Spindle::off) block.switched_off = kAllSwitchedOutputs;
     blocks_.push_back(block);
 }
 

@@ -115,7 +115,7 @@ cycle::CycleConfig cycle_config_from_profile(const Profile& profile) {
     set_speeds(config, profile);
     set_lift(config, profile);
     config.filter_ticks = ticks_covering_ns(ns_from_us(profile.port.input_filter_us), period_ns);
-    for (std::size_t signal = kOutputSignalCount; signal < kSignalCount; ++signal) {
+    for (std::size_t signal = kFirstInput; signal < kFirstSwitchedOutput; ++signal) {
         if (profile.port.pins[signal] != 0) config.input_mask |= SignalWord{1} << signal;
     }
     for (const Axis axis : kAllAxes) {

@@ -16,10 +16,11 @@ struct ProgramStep {
     StopReason reason = StopReason::program;  ///< stop
     bool is_rapid = false;
     bool ends_block = false;
-    bool is_spindle_on = false;  ///< spindle
-    std::uint64_t line = 0;      ///< from 1
-    std::uint64_t sequence = 0;  ///< of the record, from 1
-    Pulses4 target_pulses{};     ///< way: where all axes are after it
+    bool is_on = false;           ///< spindle, output
+    SwitchedOutputs outputs = 0;  ///< output: which
+    std::uint64_t line = 0;       ///< from 1
+    std::uint64_t sequence = 0;   ///< of the record, from 1
+    Pulses4 target_pulses{};      ///< way: where all axes are after it
     /// Where the program has them beyond that: up to half a pulse, which rounding took or gave.
     std::array<double, kAxisCount> rounded_off_pulses{};
     double seconds = 0.0;       ///< way: the least it may take; dwell: how long

@@ -114,7 +114,10 @@ void RecordProgram::take(const ProgramStep& step) {
             dwell(round_to_pulse(step.seconds / machine_.tick_seconds()), step.line);
             break;
         case MotionKind::spindle:
-            switch_spindle(step.is_spindle_on, step.line);
+            switch_spindle(step.is_on, step.line);
+            break;
+        case MotionKind::output:
+            switch_outputs(step.outputs, step.is_on, step.line);
             break;
         case MotionKind::stop:
             return halt(static_cast<ProgramHold>(step.reason), step.line);
@@ -277,35 +280,6 @@ void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joint
         note_gaps(machine_, std::span(blocks_).subspan(begin));
         begin = blocks_.size();
     }
-}
-
-MotionBlock& RecordProgram::add_block(BlockKind kind, std::uint64_t line) {
-    MotionBlock& block = blocks_.emplace_back();
-    block.kind = kind;
-    set_program_line(block, line);
-    set_program_sequence(block, sequence_);
-    return block;
-}
-
-void RecordProgram::halt(ProgramHold hold, std::uint64_t line) {
-    add_block(BlockKind::halt, line).halt = hold;
-}
-
-void RecordProgram::dwell(std::int64_t ticks, std::uint64_t line) {
-    if (ticks > 0) add_block(BlockKind::dwell, line).ticks = ticks;
-}
-
-void RecordProgram::switch_spindle(bool is_on, std::uint64_t line) {
-    MotionBlock& block = add_block(BlockKind::outputs, line);
-    block.enable_mask = kAllDrives;
-    block.spindle = is_on ? cycle::Spindle::on : cycle::Spindle::off;
-    if (is_on) dwell(machine_.spinup_ticks, line);
-}
-
-void RecordProgram::end(std::uint64_t line) {
-    switch_spindle(false, line);
-    add_block(BlockKind::program_end, line);
-    is_ended_ = true;
 }
 
 }  // namespace psicarve::plan

@@ -21,7 +21,7 @@ namespace psicarve::plan {
 
 /// A program of motion records by look-ahead. Ways are gathered until something brings the machine to rest:
 ///
-///     exact end | tolerance changes | dwell, spindle, stop, end
+///     exact end | tolerance changes | dwell, spindle, output, stop, end
 ///
 /// or until there are so many points that a part of the way can be decided for good, whatever comes behind:
 ///
@@ -87,7 +87,9 @@ private:
     std::vector<RecordPlace> lines_of(std::size_t first, std::size_t last) const;
     void add_group(std::span<const RecordPlace> lines, unsigned joints);
     void halt(ProgramHold hold, std::uint64_t line);
+    cycle::MotionBlock& add_switch(std::uint64_t line);
     void switch_spindle(bool is_on, std::uint64_t line);
+    void switch_outputs(SwitchedOutputs outputs, bool is_on, std::uint64_t line);
     void dwell(std::int64_t ticks, std::uint64_t line);
     void end(std::uint64_t line);
     cycle::MotionBlock& add_block(cycle::BlockKind kind, std::uint64_t line);

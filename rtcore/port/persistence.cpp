@@ -18,8 +18,9 @@ std::string may_be_on(const PinMap& pin_map) {
     registers.control = kControlAfterClaim;
     const SignalWord active = pin_map.outputs_from_registers(registers);
     std::string names;
-    for (const Signal signal :
-         {Signal::spindle, Signal::r1_enable, Signal::r2_enable, Signal::psi_enable, Signal::y_enable}) {
+    using enum Signal;
+    for (const Signal signal : {spindle, r1_enable, r2_enable, psi_enable, y_enable, mist, flood, output_0,
+                                output_1, output_2, output_3}) {
         if ((active & bit_of(signal)) == 0 || !pin_map.is_wired(signal)) continue;
         names += std::string{name_of(signal)} + ", ";
     }

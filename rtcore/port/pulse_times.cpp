@@ -12,7 +12,7 @@ constexpr std::size_t kFirstDirBit = index_of(Signal::r1_dir);
 }  // namespace
 
 std::int64_t PulseTimes::earliest_ns(SignalWord from, SignalWord to) const noexcept {
-    const bool is_safe = (to & (kStepMask | kEnableMask | bit_of(Signal::spindle))) == 0;
+    const bool is_safe = (to & kOutputMask & ~kDirMask) == 0;
     std::int64_t result_ns = kLongAgo_ns;
     if (is_safe) return result_ns;
     const SignalWord changed = from ^ to;

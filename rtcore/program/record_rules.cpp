@@ -2,6 +2,7 @@
 #include "rtcore/program/record_rules.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -46,8 +47,9 @@ bool is_known(const MotionRecord& record) noexcept {
     for (const std::uint8_t byte : record.reserved)
         if (byte != 0) return false;
     if (record.line == 0 || (record.flags & ~kKnownFlags) != 0) return false;
-    if (record.kind == MotionKind::arc) return is_known_arc(record);
+    if (record.kind == MotionKind::arc) return record.outputs == 0 && is_known_arc(record);
     if (record.centre_mm != std::array<double, 2>{}) return false;
+    if ((record.outputs != 0) != (record.kind == MotionKind::output)) return false;
     if (record.kind == MotionKind::way) return is_known_way(record);
     if (record.axes != 0 || (record.flags & (kIsRapid | kIsStepped)) != 0) return false;
     switch (record.kind) {
@@ -56,6 +58,8 @@ bool is_known(const MotionRecord& record) noexcept {
             return record.code == 0;
         case MotionKind::spindle:
             return record.code <= 1;
+        case MotionKind::output:
+            return record.code <= 1 && (record.outputs & ~kAllSwitchedOutputs) == 0;
         case MotionKind::stop:
             return record.code >= static_cast<std::uint8_t>(StopReason::program) &&
                    record.code <= static_cast<std::uint8_t>(StopReason::tool_change);
@@ -77,7 +81,8 @@ bool moves_inwards_and_outwards(const plan::Pulses4& at, const plan::Pulses4& to
 }  // namespace
 
 RecordRules::RecordRules(const Profile& profile)
-    : core_pulses_{core_radius_pulses(profile, Axis::r1), core_radius_pulses(profile, Axis::r2)},
+    : wired_outputs_(wired_outputs(profile)),
+      core_pulses_{core_radius_pulses(profile, Axis::r1), core_radius_pulses(profile, Axis::r2)},
       pulses_per_rev_(static_cast<double>(profile.psi.pulses_per_rev)),
       tips_mm_(profile.r1.tip_mm() + profile.r2.tip_mm()),
       clearance_mm_(profile.head_clearance_mm) {
@@ -103,20 +108,33 @@ Message RecordRules::judge(const MotionRecord& record, const plan::Pulses4& at,
         return message_of(MessageId::program_tolerance_out_of_range, line, mm_argument(shown_mm),
                           mm_argument(kMostTolerance_mm));
     }
-    step = plan::ProgramStep{.kind = record.kind,
-                             .is_rapid = (record.flags & kIsRapid) != 0,
-                             .ends_block = (record.flags & kEndsBlock) != 0,
-                             .is_spindle_on = record.kind == MotionKind::spindle && record.code == 1,
-                             .line = record.line,
-                             .sequence = record.sequence,
-                             .target_pulses = at,
-                             .seconds = record.seconds,
-                             .tolerance_mm = record.tolerance_mm};
+    step = plan::ProgramStep{
+        .kind = record.kind,
+        .is_rapid = (record.flags & kIsRapid) != 0,
+        .ends_block = (record.flags & kEndsBlock) != 0,
+        .is_on =
+            (record.kind == MotionKind::spindle || record.kind == MotionKind::output) && record.code == 1,
+        .outputs = record.outputs,
+        .line = record.line,
+        .sequence = record.sequence,
+        .target_pulses = at,
+        .seconds = record.seconds,
+        .tolerance_mm = record.tolerance_mm};
     if (record.kind == MotionKind::stop) step.reason = static_cast<StopReason>(record.code);
+    if (record.kind == MotionKind::output) return judge_outputs(record);
     if (record.kind != MotionKind::way && record.kind != MotionKind::arc) return {};
     if (const Message wrong = judge_way(record, at, step); !wrong.is_none()) return wrong;
     if (record.kind == MotionKind::way && (record.flags & kIsStepped) == 0) return {};
     return judge_stepped(record, at, step);
+}
+
+// None of several goes on where one of them is not wired.
+Message RecordRules::judge_outputs(const MotionRecord& record) const noexcept {
+    const unsigned unwired = record.outputs & ~static_cast<unsigned>(wired_outputs_);
+    if (unwired == 0) return {};
+    const auto first = kFirstSwitchedOutput + static_cast<std::size_t>(std::countr_zero(unwired));
+    return message_of(MessageId::program_output_not_wired, count_argument(record.line),
+                      argument_of(static_cast<Signal>(first)));
 }
 
 Message RecordRules::judge_stepped(const MotionRecord& record, const plan::Pulses4& at,

@@ -34,12 +34,14 @@ private:
                           plan::ProgramStep& step) const noexcept;
     Message judge_arc(const MotionRecord& record, const plan::Pulses4& at,
                       plan::ProgramStep& step) const noexcept;
+    Message judge_outputs(const MotionRecord& record) const noexcept;
     Message judge_place(std::uint64_t line, Axis axis, std::int64_t position) const noexcept;
     Message judge_tips(std::uint64_t line, const plan::Pulses4& at, const plan::Pulses4& to) const noexcept;
     double pulses_of(Axis axis, double position) const noexcept;
     double tips_apart_mm(const plan::Pulses4& at) const noexcept;
 
     std::array<AxisMotion, kAxisCount> axes_;
+    SwitchedOutputs wired_outputs_;
     std::array<std::int64_t, 2> core_pulses_;  ///< by head, counted
     double pulses_per_rev_;
     double tips_mm_;       ///< both tips stand this much further out than counted

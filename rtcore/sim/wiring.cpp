@@ -82,7 +82,7 @@ Wiring::Wiring(const WiringConfig& config) noexcept {
 
 std::uint8_t Wiring::status(SignalWord inputs) const noexcept {
     std::uint8_t status = kNothingWired;
-    for (std::size_t i = kOutputSignalCount; i < kSignalCount; ++i) {
+    for (std::size_t i = kFirstInput; i < kFirstSwitchedOutput; ++i) {
         const bool register_bit = ((inputs >> i & 1) != 0) != inputs_[i].register_is_inverted;
         status =
             static_cast<std::uint8_t>((status & ~inputs_[i].mask) | (register_bit ? inputs_[i].mask : 0));

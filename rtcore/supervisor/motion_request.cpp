@@ -153,7 +153,8 @@ Result<void> add_recording(Request& request, const Command& command) {
 
 Result<void> add_pin_trial(Request& request, const Command& command, const Profile& profile,
                            bool is_virtual_clock) {
-    if (command.axis >= kOutputSignalCount) return refused(message_of(MessageId::no_such_output));
+    if (command.axis >= kSignalCount || !is_output(static_cast<Signal>(command.axis)))
+        return refused(message_of(MessageId::no_such_output));
     if (profile.port.pins[command.axis] == 0) {
         const auto signal = static_cast<Signal>(command.axis);
         return refused(message_of(MessageId::output_not_wired, argument_of(signal)));

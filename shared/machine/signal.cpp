@@ -7,9 +7,9 @@ namespace {
 constexpr std::array<std::string_view, kAxisCount> kAxisNames{"r1", "r2", "psi", "y"};
 
 constexpr std::array<std::string_view, kSignalCount> kSignalNames{
-    "r1_step", "r2_step",  "psi_step",  "y_step",    "r1_dir",     "r2_dir",
-    "psi_dir", "y_dir",    "r1_enable", "r2_enable", "psi_enable", "y_enable",
-    "spindle", "r1_limit", "r2_limit",  "psi_index", "y_limit",    "estop"};
+    "r1_step",   "r2_step",   "psi_step",   "y_step",   "r1_dir",   "r2_dir",   "psi_dir",  "y_dir",
+    "r1_enable", "r2_enable", "psi_enable", "y_enable", "spindle",  "r1_limit", "r2_limit", "psi_index",
+    "y_limit",   "estop",     "mist",       "flood",    "output_0", "output_1", "output_2", "output_3"};
 
 }  // namespace
 

@@ -44,11 +44,19 @@ enum class Signal : std::uint8_t {
     psi_index,
     y_limit,  // bits 13..16: the axis' own sensor, by axis, 1 = tripped
     estop,    // bit 17
-    /// Bit 18, an output apart from the others: it toggles while the core ticks. No trace or record has it.
+    mist,
+    flood,
+    output_0,
+    output_1,
+    output_2,
+    output_3,  // bits 18..23: outputs that programs switch
+    /// Bit 24, an output apart from the others: it toggles while the core ticks. No trace or record has it.
     charge_pump,
 };
-inline constexpr std::size_t kSignalCount = 18;        ///< in traces, records and commands
-inline constexpr std::size_t kOutputSignalCount = 13;  ///< signals 0..12 leave the core; the others enter it
+inline constexpr std::size_t kSignalCount = 24;          ///< in traces, records and commands
+inline constexpr std::size_t kFirstInput = 13;           ///< signals 0..12 leave the core
+inline constexpr std::size_t kFirstSwitchedOutput = 18;  ///< from here on they do, too; the others enter it
+inline constexpr std::size_t kSwitchedOutputCount = 6;
 
 /// Logical levels of all signals: bit n is signal n; 1 = active (step high, direction positive, drive
 /// enabled, spindle on, input tripped), whatever the wiring's polarity.
@@ -61,7 +69,11 @@ constexpr SignalWord bit_of(Signal signal) noexcept {
     return SignalWord{1} << index_of(signal);
 }
 constexpr bool is_output(Signal signal) noexcept {
-    return index_of(signal) < kOutputSignalCount || signal == Signal::charge_pump;
+    return index_of(signal) < kFirstInput || index_of(signal) >= kFirstSwitchedOutput;
+}
+/// One that programs switch: coolant and the digital outputs.
+constexpr bool is_switched_output(Signal signal) noexcept {
+    return is_output(signal) && index_of(signal) >= kFirstSwitchedOutput && signal != Signal::charge_pump;
 }
 
 constexpr Signal step_of(Axis axis) noexcept {
@@ -78,7 +90,19 @@ constexpr Signal sensor_of(Axis axis) noexcept {
     return static_cast<Signal>(13 + index_of(axis));
 }
 
-inline constexpr SignalWord kOutputMask = (SignalWord{1} << kOutputSignalCount) - 1;
+/// Switched outputs among themselves: bit 0 is mist, bit 1 flood, bits 2..5 the digital outputs 0..3.
+using SwitchedOutputs = std::uint8_t;
+inline constexpr SwitchedOutputs kAllSwitchedOutputs = (1U << kSwitchedOutputCount) - 1;
+constexpr SwitchedOutputs switched_bit(Signal output) noexcept {
+    return static_cast<SwitchedOutputs>(1U << (index_of(output) - kFirstSwitchedOutput));
+}
+constexpr SignalWord levels_of(SwitchedOutputs outputs) noexcept {
+    return SignalWord{outputs} << kFirstSwitchedOutput;
+}
+
+inline constexpr SignalWord kSwitchedMask = levels_of(kAllSwitchedOutputs);
+inline constexpr SignalWord kMachineOutputMask = (SignalWord{1} << kFirstInput) - 1;  ///< signals 0..12
+inline constexpr SignalWord kOutputMask = kMachineOutputMask | kSwitchedMask;
 inline constexpr SignalWord kChargePumpBit = bit_of(Signal::charge_pump);
 inline constexpr SignalWord kStepMask = 0xF;
 inline constexpr SignalWord kDirMask = 0xF0;

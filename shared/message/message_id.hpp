@@ -151,6 +151,7 @@ enum class MessageId : std::uint16_t {
     no_such_program = 218,
     program_start_moved = 219,
     program_arc_unsound = 220,
+    program_output_not_wired = 221,
 };
 
 }  // namespace psicarve

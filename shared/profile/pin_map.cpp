@@ -93,28 +93,35 @@ Result<PinMap> PinMap::from_profile(const Profile& profile) {
     for (std::size_t i = 0; i < kSignalCount; ++i) {
         if (map.pins_[i] < 0) map.active_low_[i] = !map.active_low_[i];
     }
-    auto encode = std::make_shared<std::array<OutputRegisters, std::size_t{1} << kOutputSignalCount>>();
+    for (std::size_t on = 0; on < map.switched_.size(); ++on) {
+        for (std::size_t i = 0; i < kSwitchedOutputCount; ++i) {
+            if ((on >> i & 1) == 0) continue;
+            const OutputRegisters bit = bit_of_pin(std::abs(map.pins_[kFirstSwitchedOutput + i]));
+            map.switched_[on].data |= bit.data;
+            map.switched_[on].control |= bit.control;
+        }
+    }
+    auto encode = std::make_shared<std::array<OutputRegisters, std::size_t{1} << kFirstInput>>();
     for (std::size_t levels = 0; levels < encode->size(); ++levels) {
-        const std::uint32_t pins =
-            map.pins_from_levels(static_cast<SignalWord>(levels), 0, kOutputSignalCount);
+        const std::uint32_t pins = map.pins_from_levels(static_cast<SignalWord>(levels), kOutputMask);
         (*encode)[levels] = {register_byte(PortRegister::data, pins),
                              register_byte(PortRegister::control, pins)};
     }
     auto decode = std::make_shared<std::array<SignalWord, 256>>();
     for (std::size_t status = 0; status < decode->size(); ++status) {
         const std::uint32_t pins = pins_of_byte(PortRegister::status, static_cast<std::uint8_t>(status));
-        (*decode)[status] = map.levels_from_pins(pins, kOutputSignalCount, kSignalCount);
+        (*decode)[status] = map.levels_from_pins(pins, kInputMask);
     }
     map.encode_ = std::move(encode);
     map.decode_status_ = std::move(decode);
     return map;
 }
 
-std::uint32_t PinMap::pins_from_levels(SignalWord levels, std::size_t first, std::size_t end) const noexcept {
+std::uint32_t PinMap::pins_from_levels(SignalWord levels, SignalWord signals) const noexcept {
     std::uint32_t active = 0;  // pins that any of their signals activates
     std::uint32_t inverted = 0;
-    for (std::size_t i = first; i < end; ++i) {
-        if (pins_[i] == 0) continue;
+    for (std::size_t i = 0; i < kSignalCount; ++i) {
+        if (pins_[i] == 0 || ((signals >> i) & 1) == 0) continue;
         const std::uint32_t bit = pin_bit(std::abs(pins_[i]));
         if (((levels >> i) & 1) != 0) active |= bit;
         if (active_low_[i]) inverted |= bit;
@@ -123,10 +130,10 @@ std::uint32_t PinMap::pins_from_levels(SignalWord levels, std::size_t first, std
     return active ^ inverted;
 }
 
-SignalWord PinMap::levels_from_pins(std::uint32_t pins, std::size_t first, std::size_t end) const noexcept {
+SignalWord PinMap::levels_from_pins(std::uint32_t pins, SignalWord signals) const noexcept {
     SignalWord levels = 0;
-    for (std::size_t i = first; i < end; ++i) {
-        if (pins_[i] == 0) continue;
+    for (std::size_t i = 0; i < kSignalCount; ++i) {
+        if (pins_[i] == 0 || ((signals >> i) & 1) == 0) continue;
         const bool high = (pins & pin_bit(std::abs(pins_[i]))) != 0;
         if (high != active_low_[i]) levels |= SignalWord{1} << i;
     }
@@ -139,7 +146,7 @@ std::uint32_t PinMap::pins_from_registers(OutputRegisters registers) const noexc
 }
 
 SignalWord PinMap::outputs_from_registers(OutputRegisters registers) const noexcept {
-    SignalWord levels = levels_from_pins(pins_from_registers(registers), 0, kOutputSignalCount);
+    SignalWord levels = levels_from_pins(pins_from_registers(registers), kOutputMask);
     for (const Axis axis : kAllAxes) {
         // A drive whose enable input is not connected is on.
         if (!is_wired(enable_of(axis))) levels |= bit_of(enable_of(axis));
@@ -152,7 +159,7 @@ SignalWord PinMap::outputs_from_registers(OutputRegisters registers) const noexc
 }
 
 std::uint8_t PinMap::status_from_inputs(SignalWord inputs) const noexcept {
-    return register_byte(PortRegister::status, pins_from_levels(inputs, kOutputSignalCount, kSignalCount));
+    return register_byte(PortRegister::status, pins_from_levels(inputs, kInputMask));
 }
 
 int PinMap::pin_of(Signal signal) const noexcept {

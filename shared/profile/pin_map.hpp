@@ -42,7 +42,10 @@ public:
     static Result<PinMap> from_profile(const Profile& profile);
 
     OutputRegisters encode(SignalWord levels) const noexcept {
-        OutputRegisters registers = (*encode_)[levels & kOutputMask];
+        OutputRegisters registers = (*encode_)[levels & kMachineOutputMask];
+        const OutputRegisters& switched = switched_[(levels & kSwitchedMask) >> kFirstSwitchedOutput];
+        registers.data ^= switched.data;
+        registers.control ^= switched.control;
         if ((levels & kChargePumpBit) != 0) {
             registers.data ^= charge_pump_.data;
             registers.control ^= charge_pump_.control;
@@ -65,15 +68,17 @@ public:
 
 private:
     PinMap() = default;
-    /// Electric levels of the pins of signals first..end-1, and back.
-    std::uint32_t pins_from_levels(SignalWord levels, std::size_t first, std::size_t end) const noexcept;
-    SignalWord levels_from_pins(std::uint32_t pins, std::size_t first, std::size_t end) const noexcept;
+    /// Electric levels of the pins of these signals, and back.
+    std::uint32_t pins_from_levels(SignalWord levels, SignalWord signals) const noexcept;
+    SignalWord levels_from_pins(std::uint32_t pins, SignalWord signals) const noexcept;
 
     std::array<int, kSignalCount> pins_{};         ///< as in the profile, sign = active low
     std::array<bool, kSignalCount> active_low_{};  ///< as the pin shows it; a direction's sign included
     int charge_pump_pin_ = 0;                      ///< as in the profile
     OutputRegisters charge_pump_;                  ///< its bit, which the table does not hold
-    std::shared_ptr<const std::array<OutputRegisters, std::size_t{1} << kOutputSignalCount>> encode_;
+    /// By switched outputs: the bits of those that are on, which the table has as off.
+    std::array<OutputRegisters, std::size_t{1} << kSwitchedOutputCount> switched_{};
+    std::shared_ptr<const std::array<OutputRegisters, std::size_t{1} << kFirstInput>> encode_;
     std::shared_ptr<const std::array<SignalWord, 256>> decode_status_;
 };
 

@@ -288,6 +288,9 @@ struct AxisMotion {
 };
 AxisMotion axis_motion(const Profile& profile, Axis axis);
 
+/// The outputs that programs can switch: those with a pin.
+SwitchedOutputs wired_outputs(const Profile& profile) noexcept;
+
 /// The tick's period in whole nanoseconds.
 std::int64_t tick_period_ns(const Profile& profile) noexcept;
 /// Shortest time from one step pulse of an axis to the next that the ticks can make.

@@ -4,6 +4,17 @@
 #include "shared/profile/pin_map.hpp"
 #include "shared/profile/profile_table.hpp"
 
+namespace psicarve {
+
+SwitchedOutputs wired_outputs(const Profile& profile) noexcept {
+    unsigned wired = 0;
+    for (std::size_t i = 0; i < kSwitchedOutputCount; ++i)
+        wired |= static_cast<unsigned>(profile.port.pins[kFirstSwitchedOutput + i] != 0) << i;
+    return static_cast<SwitchedOutputs>(wired);
+}
+
+}  // namespace psicarve
+
 namespace psicarve::profile_detail {
 namespace {
 

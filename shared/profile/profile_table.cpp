@@ -268,7 +268,8 @@ void add_pins(std::vector<KeySpec>& keys) {
     using enum Signal;  // the order of the listing in the machine's description
     constexpr std::array kOrder{r1_step,  r1_dir,  r1_enable,  r2_step,   r2_dir,   r2_enable,
                                 psi_step, psi_dir, psi_enable, y_step,    y_dir,    y_enable,
-                                spindle,  y_limit, r2_limit,   psi_index, r1_limit, estop};
+                                spindle,  y_limit, r2_limit,   psi_index, r1_limit, estop,
+                                mist,     flood,   output_0,   output_1,  output_2, output_3};
     static_assert(kOrder.size() == kSignalCount);
     for (const Signal signal : kOrder) {
         auto field = [signal](Profile& profile) -> Field { return &profile.port.pins[index_of(signal)]; };

@@ -15,8 +15,9 @@ enum class MotionKind : std::uint8_t {
     dwell = 2,    ///< rest for `seconds`
     spindle = 3,  ///< on where `code` is 1, off where it is 0, at rest
     stop = 4,     ///< rest and wait for the operator; `code`: why, a StopReason
-    end = 5,      ///< the program is done: rest, spindle off
+    end = 5,      ///< the program is done: rest, spindle and outputs off
     arc = 6,      ///< step by step, of one head and y, about `centre_mm` to `target`; `code`: an ArcSense
+    output = 7,   ///< those of `outputs` on where `code` is 1, off where it is 0, at rest
 };
 
 /// Why a program waits for the operator. The numbers are part of the segment's layout.
@@ -49,7 +50,8 @@ struct MotionRecord {
     std::uint8_t axes;  ///< way, arc: those whose target counts, bit by Axis; the others stay where they are
     std::uint8_t flags;
     std::uint8_t code;
-    std::uint8_t reserved[4];  ///< 0
+    SwitchedOutputs outputs;   ///< output: which, at least one; elsewhere 0
+    std::uint8_t reserved[3];  ///< 0
     std::array<double, kAxisCount>
         target;           ///< machine positions by Axis: r1, r2, y in mm, psi in degrees with its turns
     double seconds;       ///< way: the least that it may take, 0: as fast as the machine can; dwell: how long

@@ -126,6 +126,11 @@ constexpr std::array kProgramWordings{
         "from the centre as each other, to a pulse, 2 pulses or more",
         kAgain,
         {kProgramLine}},
+    Wording{Id::program_output_not_wired,
+            "program_output_not_wired",
+            "line %1: %2 is not wired to any pin",
+            "give its pin in [port.pins] of the profile, and start the core and the program again",
+            {kProgramLine, {K::signal, "output"}}},
 };
 
 }  // namespace

@@ -101,19 +101,53 @@ SignalWord with_shared_enables(SignalWord levels) {
 
 TEST(PinMap, EveryOutputWordComesBackThroughTheRegisters) {
     const PinMap sut = map_of({});
-    for (SignalWord levels = 0; levels <= kOutputMask; ++levels) {
+    for (SignalWord levels = 0; levels <= kMachineOutputMask; ++levels) {
         ASSERT_EQ(sut.outputs_from_registers(sut.encode(levels)), with_shared_enables(levels));
     }
 }
 
 TEST(PinMap, EveryOutputWordComesBackWithEveryPolarityTurned) {
     Profile profile;
-    for (std::size_t i = 0; i < kOutputSignalCount; ++i) profile.port.pins[i] *= -1;
+    for (std::size_t i = 0; i < kFirstInput; ++i) profile.port.pins[i] *= -1;
     profile.r1.positive_is_high = false;
     profile.psi.positive_is_high = false;
     const PinMap sut = map_of(profile);
-    for (SignalWord levels = 0; levels <= kOutputMask; ++levels) {
+    for (SignalWord levels = 0; levels <= kMachineOutputMask; ++levels) {
         ASSERT_EQ(sut.outputs_from_registers(sut.encode(levels)), with_shared_enables(levels));
+    }
+}
+
+/// Four of the outputs that programs switch: enables that share a pin make room for them.
+Profile with_switched_outputs() {
+    Profile profile;
+    profile.port.pins[index_of(Signal::r2_enable)] = 6;
+    profile.port.pins[index_of(Signal::y_enable)] = 6;
+    profile.port.pins[index_of(Signal::spindle)] = 0;
+    profile.port.pins[index_of(Signal::mist)] = 1;
+    profile.port.pins[index_of(Signal::flood)] = -7;
+    profile.port.pins[index_of(Signal::output_3)] = -16;
+    return profile;
+}
+
+TEST(PinMap, RestsSwitchedOutputsByTheirPolarity) {
+    const OutputRegisters resting = map_of(with_switched_outputs()).encode(0);
+    EXPECT_EQ(resting, (OutputRegisters{0x20, 0x0F})) << "pin 7 and pin 16 are high, as both are off";
+    EXPECT_EQ(map_of({}).encode(kSwitchedMask), map_of({}).encode(0)) << "not wired";
+}
+
+TEST(PinMap, SwitchedOutputsComeBackBesideEveryOtherOutput) {
+    const PinMap sut = map_of(with_switched_outputs());
+    EXPECT_TRUE(sut.is_wired(Signal::flood));
+    EXPECT_FALSE(sut.is_wired(Signal::output_0));
+    const SignalWord wired = bit_of(Signal::mist) | bit_of(Signal::flood) | bit_of(Signal::output_3) |
+                             (kMachineOutputMask & ~bit_of(Signal::spindle));
+    for (SwitchedOutputs on = 0; on <= kAllSwitchedOutputs; ++on) {
+        for (SignalWord machine = 0; machine <= kMachineOutputMask; machine += 7) {
+            const SignalWord levels = machine | levels_of(on);
+            SignalWord seen = levels & wired;
+            if ((seen & kEnableMask) != 0) seen |= kEnableMask;
+            ASSERT_EQ(sut.outputs_from_registers(sut.encode(levels)), seen) << levels;
+        }
     }
 }
 
@@ -159,7 +193,7 @@ TEST(PinMap, TheChargePumpIsABitOfItsOwn) {
         profile.port.charge_pump_pin = pin;
         const PinMap sut = map_of(profile);
         EXPECT_EQ(sut.pin_of(Signal::charge_pump), 1);
-        for (SignalWord levels = 0; levels <= kOutputMask; ++levels) {
+        for (SignalWord levels = 0; levels <= kMachineOutputMask; ++levels) {
             const OutputRegisters still = sut.encode(levels);
             const OutputRegisters pumped = sut.encode(levels | kChargePumpBit);
             ASSERT_EQ(still.data, pumped.data);

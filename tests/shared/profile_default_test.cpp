@@ -281,8 +281,8 @@ TEST(ProfileKeys, EveryFieldIsReachedByExactlyOneKey) {
     }
     std::sort(places.begin(), places.end());
     EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
-    // 3 of its own, 5 tick, 3 x 13 linear, 10 psi, 2 head, 11 job, 4 tool, 5 blank, 6 port, 19 pins.
-    EXPECT_EQ(places.size(), 112U);
+    // 3 of its own, 5 tick, 3 x 13 linear, 10 psi, 2 head, 11 job, 4 tool, 5 blank, 6 port, 25 pins.
+    EXPECT_EQ(places.size(), 118U);
 }
 
 }  // namespace

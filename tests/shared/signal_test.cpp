@@ -41,7 +41,7 @@ TEST(Signal, MasksPartTheWord) {
     EXPECT_EQ(outputs, kOutputMask);
     EXPECT_EQ(kOutputMask & kInputMask, 0U);
     EXPECT_EQ(kOutputMask | kInputMask, (SignalWord{1} << kSignalCount) - 1);
-    EXPECT_EQ(kStepMask | kDirMask | kEnableMask | bit_of(Signal::spindle), kOutputMask);
+    EXPECT_EQ(kStepMask | kDirMask | kEnableMask | bit_of(Signal::spindle) | kSwitchedMask, kOutputMask);
 }
 
 TEST(CommandKind, NamesAreThoseOfTheCommandLine) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -11,16 +12,17 @@ namespace {
 
 TEST(PinRows, HoldEverySignalOnceOutputsFirst) {
     const auto rows = pin_rows(Profile{});
-    ASSERT_EQ(rows.size(), kSignalCount);
+    constexpr std::size_t kRows = kSignalCount - kSwitchedOutputCount;
+    ASSERT_EQ(rows.size(), kRows) << "of the outputs that programs switch only those that are wired";
     std::set<std::string> names;
     for (const PinRow& row : rows) names.insert(row.name.english);
-    EXPECT_EQ(names.size(), kSignalCount);
+    EXPECT_EQ(names.size(), kRows);
     EXPECT_EQ(rows.front().signal, Signal::y_enable);
     EXPECT_EQ(rows.front().pin, 1);
     EXPECT_EQ(rows.front().register_bit, "control 0 inv");
     EXPECT_EQ(rows.back().signal, Signal::estop) << "not wired";
     EXPECT_EQ(rows.back().register_bit, "");
-    EXPECT_FALSE(is_output(rows[kOutputSignalCount].signal));
+    EXPECT_FALSE(is_output(rows[kFirstInput].signal));
 }
 
 TEST(PinRows, KnowTheBusyPinAndActiveLowWiring) {
@@ -32,6 +34,21 @@ TEST(PinRows, KnowTheBusyPinAndActiveLowWiring) {
         EXPECT_TRUE(row.is_active_low);
         EXPECT_EQ(row.register_bit, "status 7 inv");
     }
+}
+
+TEST(PinRows, HoldTheOutputsThatProgramsSwitchWhereTheyAreWired) {
+    Profile profile;
+    profile.port.pins[index_of(Signal::r2_enable)] = 6;
+    profile.port.pins[index_of(Signal::output_2)] = -7;
+    const auto rows = pin_rows(profile);
+    const auto found = std::find_if(rows.begin(), rows.end(),
+                                    [](const PinRow& row) { return row.signal == Signal::output_2; });
+    ASSERT_NE(found, rows.end());
+    EXPECT_EQ(in_english(found->name), "Output 2");
+    EXPECT_EQ(found->pin, 7);
+    EXPECT_TRUE(found->is_active_low);
+    EXPECT_EQ(rows.size(), kSignalCount - kSwitchedOutputCount + 1);
+    EXPECT_EQ(in_english(pin_label({Signal::mist})), "Mist");
 }
 
 TEST(PinRows, HaveShortLabelsForTheConnector) {

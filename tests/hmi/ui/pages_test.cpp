@@ -44,7 +44,8 @@ TEST_F(Pages, PortsListEveryPinAndShowItsLevel) {
     start_core();
     open_window();
     show_page("ports_page");
-    EXPECT_EQ(window_->findChild<QTableWidget*>("pins")->rowCount(), static_cast<int>(kSignalCount));
+    EXPECT_EQ(window_->findChild<QTableWidget*>("pins")->rowCount(),
+              static_cast<int>(kSignalCount - kSwitchedOutputCount));
     EXPECT_EQ(pin_item("R1 step", 0).text(), "5");
     EXPECT_EQ(pin_item("Emergency stop", kLevelColumn).text(), "no pin");
     ASSERT_TRUE(comes_true([&] { return !pin_item("Spindle", kLevelColumn).text().isEmpty(); }));

@@ -28,7 +28,7 @@ SignalWord outputs(const MachineRig& rig) {
 }
 
 TEST(PinTrial, ActivatesOneOutputAloneUntilItsLeaseIsGone) {
-    for (std::size_t i = 0; i < kOutputSignalCount; ++i) {
+    for (std::size_t i = 0; i < kFirstInput; ++i) {
         MachineRig sut(quick_profile());
         const auto signal = static_cast<Signal>(i);
         ASSERT_EQ(sut.ask(test_of(signal)), Refusal::none);

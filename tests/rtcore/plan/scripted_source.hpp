@@ -87,7 +87,13 @@ public:
         return *this;
     }
     Script& spindle(bool is_on) {
-        add(MotionKind::spindle).is_spindle_on = is_on;
+        add(MotionKind::spindle).is_on = is_on;
+        return *this;
+    }
+    Script& output(Signal which, bool is_on) {
+        ProgramStep& step = add(MotionKind::output);
+        step.is_on = is_on;
+        step.outputs = switched_bit(which);
         return *this;
     }
     Script& stop(StopReason reason = StopReason::program) {

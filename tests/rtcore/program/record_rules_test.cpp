@@ -101,13 +101,53 @@ TEST_F(RecordRulesTest, OtherKindsBecomeStepsWhereTheMachineStands) {
     EXPECT_EQ(step_.seconds, 2.5);
     EXPECT_EQ(step_.target_pulses, at_);
     ASSERT_EQ(judge(of_kind(MotionKind::spindle, 1)), MessageId::none);
-    EXPECT_TRUE(step_.is_spindle_on);
+    EXPECT_TRUE(step_.is_on);
     ASSERT_EQ(judge(of_kind(MotionKind::spindle, 0)), MessageId::none);
-    EXPECT_FALSE(step_.is_spindle_on);
+    EXPECT_FALSE(step_.is_on);
+    profile_.port.pins[index_of(Signal::r2_enable)] = 6;
+    profile_.port.pins[index_of(Signal::flood)] = 7;
+    MotionRecord flood = of_kind(MotionKind::output, 1);
+    flood.outputs = switched_bit(Signal::flood);
+    ASSERT_EQ(judge(flood), MessageId::none);
+    EXPECT_TRUE(step_.is_on);
+    EXPECT_EQ(step_.outputs, switched_bit(Signal::flood));
+    EXPECT_EQ(step_.target_pulses, at_);
+    flood.code = 0;
+    ASSERT_EQ(judge(flood), MessageId::none);
+    EXPECT_FALSE(step_.is_on);
     ASSERT_EQ(judge(of_kind(MotionKind::stop, 3)), MessageId::none);
     EXPECT_EQ(step_.reason, StopReason::tool_change);
     ASSERT_EQ(judge(of_kind(MotionKind::end)), MessageId::none);
     EXPECT_EQ(step_.kind, MotionKind::end);
+}
+
+TEST_F(RecordRulesTest, OutputsThatAreNotWiredAreRefusedByTheirName) {
+    MotionRecord output = of_kind(MotionKind::output, 1);
+    for (std::size_t k = kFirstSwitchedOutput; k < kSignalCount; ++k) {
+        const auto signal = static_cast<Signal>(k);
+        output.outputs = switched_bit(signal);
+        ASSERT_EQ(judge(output), MessageId::program_output_not_wired);
+        const Message said = RecordRules{profile_}.judge(output, at_, step_);
+        EXPECT_TRUE(in_words(said).starts_with("line 12: " + std::string{name_of(signal)} +
+                                               " is not wired to any pin"));
+    }
+    profile_.port.pins[index_of(Signal::r2_enable)] = 6;
+    profile_.port.pins[index_of(Signal::flood)] = 7;
+    output.outputs = kAllSwitchedOutputs;
+    EXPECT_EQ(judge(output), MessageId::program_output_not_wired) << "not even those that are";
+    for (const unsigned outputs : {0U, 64U, 128U, 66U}) {
+        output.outputs = static_cast<SwitchedOutputs>(outputs);
+        EXPECT_EQ(judge(output), MessageId::program_record_unknown) << outputs;
+    }
+    output.outputs = switched_bit(Signal::flood);
+    output.code = 2;
+    EXPECT_EQ(judge(output), MessageId::program_record_unknown);
+    for (const MotionKind kind :
+         {MotionKind::dwell, MotionKind::spindle, MotionKind::end, MotionKind::way, MotionKind::arc}) {
+        MotionRecord other = of_kind(kind);
+        other.outputs = switched_bit(Signal::flood);
+        EXPECT_EQ(judge(other), MessageId::program_record_unknown);
+    }
 }
 
 TEST_F(RecordRulesTest, WhatIsNotKnownIsRefused) {
@@ -115,11 +155,11 @@ TEST_F(RecordRulesTest, WhatIsNotKnownIsRefused) {
                                     const std::function<void(MotionRecord&)>& how) {
         EXPECT_EQ(judge(record, how), MessageId::program_record_unknown);
     };
-    for (const int kind : {0, 6, 255})
+    for (const int kind : {0, 6, 7, 8, 255})
         expect_unknown(good_, [&](MotionRecord& r) { r.kind = static_cast<MotionKind>(kind); });
     for (unsigned flag = 4; flag < 256; flag *= 2)
         expect_unknown(good_, [&](MotionRecord& r) { r.flags = static_cast<std::uint8_t>(flag); });
-    for (std::size_t i = 0; i < 4; ++i) expect_unknown(good_, [&](MotionRecord& r) { r.reserved[i] = 1; });
+    for (std::size_t i = 0; i < 3; ++i) expect_unknown(good_, [&](MotionRecord& r) { r.reserved[i] = 1; });
     for (const unsigned axes : {16U, 128U})
         expect_unknown(good_, [&](MotionRecord& r) { r.axes = static_cast<std::uint8_t>(axes); });
     expect_unknown(good_, [](MotionRecord& r) { r.code = 1; });

@@ -127,7 +127,7 @@ std::vector<std::int64_t> random_life(std::uint32_t seed) {
     rig.enable_all();
     std::vector<std::int64_t> seen;
     for (int i = 0; i < 20'000; ++i) {
-        const auto signal = static_cast<Signal>(random() % kOutputSignalCount);
+        const auto signal = static_cast<Signal>(random() % kFirstInput);
         const bool level =
             is_output(signal) && index_of(signal) >= 8 ? random() % 50 != 0 : random() % 2 != 0;
         rig.set(signal, level);

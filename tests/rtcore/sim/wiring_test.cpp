@@ -62,7 +62,7 @@ TEST(Wiring, AgreesWithTheCoresPinMapOnEveryLevel) {
     for (const Profile& profile : {Profile{}, odd}) {
         const PinMap map = PinMap::from_profile(profile).value();
         const Wiring sut = wiring_of(profile);
-        for (SignalWord levels = 0; levels <= kOutputMask; ++levels) {
+        for (SignalWord levels = 0; levels <= kMachineOutputMask; ++levels) {
             const OutputRegisters registers = map.encode(levels);
             SignalWord expected = levels;
             const SignalWord shared = bit_of(Signal::r1_enable) | bit_of(Signal::psi_enable);
@@ -70,7 +70,7 @@ TEST(Wiring, AgreesWithTheCoresPinMapOnEveryLevel) {
             ASSERT_EQ(sut.outputs(registers.data, registers.control), expected) << levels;
         }
         for (SignalWord inputs = 0; inputs < 32; ++inputs) {
-            SignalWord word = inputs << kOutputSignalCount;
+            SignalWord word = inputs << kFirstInput;
             if (profile.port.pins[index_of(Signal::estop)] == 0) word &= ~bit_of(Signal::estop);
             ASSERT_EQ(map.decode_status(sut.status(word)), word);
         }

@@ -8652,11 +8652,11 @@ N, Shift+N  следующая, предыдущая запись
         </message>
         <message>
             <source>the machine has no output for flood</source>
-            <translation>у станка нет выхода для СОЖ поливом</translation>
+            <translation>у станка нет выхода для подачи СОЖ</translation>
         </message>
         <message>
             <source>the machine has no output for mist</source>
-            <translation>у станка нет выхода для СОЖ туманом</translation>
+            <translation>у станка нет выхода для СОЖ распылением</translation>
         </message>
         <message>
             <source>the machine has not come to rest yet (%1)</source>

@@ -31,6 +31,7 @@ RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
         now.tick = record.tick;
         take_record(program, record);
         now.is_program = program.is_running != 0;
+        if (is_program_done(record)) now.override_percent = std::min(now.override_percent, kFullFeed_percent);
         if (record.kind == RecordKind::state_change && record.code < kMachineStateCount) {
             now.state = static_cast<MachineState>(record.code);
             if (now.state != MachineState::alarm && now.state != MachineState::backing_off)
@@ -41,6 +42,7 @@ RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
             ++now.alarms;
         } else if (record.kind == RecordKind::job && is_done(record)) {
             now.generation = static_cast<std::uint64_t>(record.value);
+            now.override_percent = kFullFeed_percent;
         } else if (record.kind == RecordKind::command && is_done(record) &&
                    record.code == static_cast<std::uint16_t>(CommandKind::override)) {
             now.override_percent = static_cast<std::uint32_t>(record.value);

@@ -49,7 +49,7 @@ bool Cycle::holds_starved_program() noexcept {
 void Cycle::program_of_records_done() noexcept {
     note_program_line();
     program_.note_done();
-    job_.set_override(JobRun::kFullFeed_percent);
+    job_.end_raised_override();
     pulses_.end_switches();
     drop_plan();
     apply(MachineEvent::program_done);

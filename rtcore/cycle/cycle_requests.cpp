@@ -139,7 +139,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
 }
 
 // In any state: an override may be set before the start, and stays through alarms until the next job is
-// loaded, or a program has come to its end.
+// loaded; one above 100 % ends with a program, too.
 Refusal Cycle::take_override(std::uint64_t percent) noexcept {
     using S = MachineState;
     constexpr std::uint32_t kCarving =

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/cycle/layer_range.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::cycle {
 
@@ -53,8 +55,11 @@ public:
     bool is_dry() const noexcept { return is_dry_; }
 
     /// Of the planned feed while carving; stays through alarms until the next job is loaded.
-    static constexpr std::uint64_t kFullFeed_percent = 100;
     void set_override(std::uint64_t percent) noexcept { override_percent_ = percent; }
+    /// One that slows down stays.
+    void end_raised_override() noexcept {
+        override_percent_ = std::min<std::uint64_t>(override_percent_, kFullFeed_percent);
+    }
     double feed_ratio() const noexcept { return static_cast<double>(override_percent_) / 100.0; }
 
     void show_in(Sample& sample) const noexcept;

@@ -29,8 +29,12 @@ constexpr double kLongestCurved_s = 300.0;
 // has, and so much of the difference may be the rounding of the two ends alone.
 constexpr double kPulsesAround = 16.0;
 constexpr double kEndPulses = 1.0;
-// Of a way that has hardly a length before rounding a pulse takes so many times as long as the way at most.
+// Of a way that has hardly a length before rounding a pulse takes so many times as long as the way at most,
+// and by that no longer than this.
 constexpr double kMostStretch = 4096.0;
+constexpr double kLongestStretched_s = 10.0;
+// Of four axes no staircase is longer than that.
+constexpr double kLeastPaceShare = 0.5;
 
 std::int64_t longest_pulses(const Pulses4& from, const Pulses4& to) {
     std::int64_t longest = 0;
@@ -79,8 +83,12 @@ ProgramStep RecordProgram::at_the_programs_pace(const ProgramStep& step) {
     if (step.kind == MotionKind::arc) return paced;
     const double rounded_s = seconds_along(limits_, rounded);
     const double programmed_s = seconds_along(limits_, programmed);
-    longer_by_ += rounded_s - programmed_s;
-    if (rounded_s > 0.0) paced.seconds *= std::min(rounded_s / programmed_s, kMostStretch);
+    // Between rests alone there are staircases; stepped ways are no part of any.
+    if (step.shape == cycle::OrderShape::straight) longer_by_ += rounded_s - programmed_s;
+    if (rounded_s > 0.0) {
+        const double stretched_s = step.seconds * std::min(rounded_s / programmed_s, kMostStretch);
+        paced.seconds = std::min(stretched_s, std::max(step.seconds, kLongestStretched_s));
+    }
     return paced;
 }
 
@@ -164,7 +172,8 @@ void RecordProgram::set_paces() {
         end = std::max(end, i + 1);
         while (end < spans_.size() && length[end] - length[i + 1] < kPulsesAround * pulse) ++end;
         const double rounding = longer_by[end] - longer_by[first] - kEndPulses * pulse;
-        const double share = 1.0 - std::max(0.0, rounding) / (length[end] - length[first]);
+        const double share =
+            std::max(kLeastPaceShare, 1.0 - std::max(0.0, rounding) / (length[end] - length[first]));
         for (std::size_t timing = 0; timing < kTimingCount; ++timing)
             spans_[i].least_pace2[timing] = share * share * ways_[i + 1].least_pace2[timing];
     }

@@ -8,6 +8,7 @@
 
 #include "rtcore/cycle/request_command.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -121,6 +122,7 @@ std::optional<ReplayStep> override_before(const Records& records, Records::const
     std::optional<ReplayStep> step;
     for (auto record = records.begin(); record != first; ++record) {
         if (is_done(*record, RecordKind::job)) step.reset();
+        if (is_program_done(*record) && step && step->value > kFullFeed_percent) step.reset();
         if (!is_done(*record, RecordKind::command)) continue;
         if (static_cast<CommandKind>(record->code) == CommandKind::override) step = step_of(*record);
     }

@@ -53,6 +53,15 @@ constexpr bool is_of_program(const FlightRecord& record, ProgramEvent event) noe
     return record.kind == RecordKind::program && program_event_of(record) == event;
 }
 
+/// The override that carves as planned, in per cent.
+inline constexpr std::uint32_t kFullFeed_percent = 100;
+
+/// It came to its end, and with that an override above 100 % did.
+constexpr bool is_program_done(const FlightRecord& record) noexcept {
+    return is_of_program(record, ProgramEvent::ended) &&
+           program_detail_of(record) == static_cast<std::uint8_t>(ProgramEnding::done);
+}
+
 /// Takes what a record tells into what is known of the last program before it. An alarm ends it. Where the
 /// recorder has lost its beginning the program has no number.
 void take_record(ProgramStatus& program, const FlightRecord& record) noexcept;

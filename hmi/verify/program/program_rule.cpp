@@ -2,7 +2,6 @@
 #include "hmi/verify/program/program_rule.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
@@ -146,19 +145,6 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_b
         rests_here = rests_here || way->is_at_end;
         is_at_rest_ = is_at_rest_ || (way->is_at_end && way->demand.asks_for_rest);
         is_on_any = is_on_any || way->is_on;
-    }
-    if (double tt = static_cast<double>(time_ns) * 1e-9;
-        getenv("DBG") && tt > atof(getenv("DBG")) && tt < atof(getenv("DBG")) + 0.1) {
-        fprintf(stderr, "%.5f (%ld %ld %ld %ld) rests %d:", tt, at[0], at[1], at[2], at[3], is_at_rest_);
-        for (auto& w : window_) {
-            fprintf(stderr, " L%lu%s%s%s", w.demand.line, w.is_on ? "+" : "-", w.is_at_end ? "E" : "",
-                    w.has_gone_on ? "g" : "");
-            for (int h = 0; h < 2; ++h)
-                for (auto& r : w.reach[h]) fprintf(stderr, "[%.3f,%.3f]", r.least, r.most);
-            fprintf(stderr, "h%.2f,%.2f end %ld %ld", w.hidden_begin, w.hidden_end,
-                    w.demand.way.end_pulses()[0], w.demand.way.end_pulses()[3]);
-        }
-        fprintf(stderr, "\n");
     }
     if (!is_on_any) return breach(last, was_at_end, time_ns, at);
     note_hidden(at);

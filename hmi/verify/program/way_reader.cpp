@@ -6,6 +6,7 @@
 
 #include "hmi/gcode/arc.hpp"
 #include "hmi/gcode/arc_chords.hpp"
+#include "hmi/gcode/switched_outputs.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::verify {
@@ -26,7 +27,7 @@ bool is_motion(const CanonRecord& record) noexcept {
 }
 
 /// Whether the machine rests for it, whatever the operator has chosen.
-bool asks_for_rest(const CanonRecord& record) noexcept {
+bool asks_for_rest(const CanonRecord& record, SwitchedOutputs wired) noexcept {
     switch (record.kind) {
         case CanonKind::dwell:
         case CanonKind::spindle:
@@ -35,6 +36,9 @@ bool asks_for_rest(const CanonRecord& record) noexcept {
             return true;
         case CanonKind::stop:
             return record.code != kOptionalStopCode;
+        case CanonKind::coolant:
+        case CanonKind::output:
+            return (gcode::outputs_of(record) & wired) != 0;
         default:
             return false;
     }
@@ -66,6 +70,7 @@ WayReader::WayReader(const JudgedProgram& program, const Profile& profile, const
       letters_(profile.gcode),
       stepped_(profile),
       turns_shortest_(profile.gcode.turns_shortest),
+      wired_outputs_(wired_outputs(profile)),
       own_tolerance_mm_(profile.job.path_tolerance_mm),
       tolerance_mm_(profile.job.path_tolerance_mm),
       at_{} {
@@ -83,7 +88,7 @@ std::optional<WayDemand> WayReader::next() {
             if (way) return way;
             continue;
         }
-        if (asks_for_rest(*record)) rest(*record);
+        if (asks_for_rest(*record, wired_outputs_)) rest(*record);
         note_mode(*record);
     }
     return std::exchange(held_, std::nullopt);

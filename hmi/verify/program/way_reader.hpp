@@ -70,6 +70,7 @@ private:
     gcode::AxisLetters letters_;
     gcode::SteppedWays stepped_;
     bool turns_shortest_;
+    SwitchedOutputs wired_outputs_;
     double own_tolerance_mm_;
     double tolerance_mm_;
     bool is_exact_ = false;

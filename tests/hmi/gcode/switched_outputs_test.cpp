@@ -47,9 +47,9 @@ TEST(SwitchedOutputs, AreNotWarnedOfWhereTheyAreWired) {
     const Profile flood = profile_with({Signal::flood});
     const auto read = read_program("M7\nM8\nM9\nM2\n", {}, &flood);
     EXPECT_EQ(read->faults(), Faults{"1:1 coolant_unused"});
-    EXPECT_EQ(read->problems.warnings().front().what, "the machine has no output for mist");
+    EXPECT_EQ(what_text(read->problems.warnings().front()), "the machine has no output for mist");
     const Profile none;
-    EXPECT_EQ(read_program("M7\nM2\n", {}, &none)->problems.warnings().front().what,
+    EXPECT_EQ(what_text(read_program("M7\nM2\n", {}, &none)->problems.warnings().front()),
               "the machine has no output for coolant");
 }
 

@@ -207,21 +207,27 @@ TEST(Program, WithARefusedRecordRunsAllBeforeItAndCanOnlyBeStopped) {
     EXPECT_EQ(sut.program().is_done, 0U);
 }
 
-// Set before the start it holds, and what broke a program off leaves it for going on with.
-TEST(Program, TakesItsOverrideAlongAtItsEndAlone) {
+// Whoever slows down wants it to stay; nobody looks for a raised one in the next program.
+TEST(Program, TakesARaisedOverrideAlongAtItsEndAlone) {
     ProgramRig sut;
-    ASSERT_EQ(sut.ask(RequestKind::override, 0, 60), Refusal::none);
+    const auto override_percent = [&] { return sut.cycle->sample().override_percent; };
+    ASSERT_EQ(sut.ask(RequestKind::override, 0, 130), Refusal::none);
     sut.give(some_steps(sut.positions()));
     ASSERT_EQ(sut.start(), Refusal::none);
     sut.stop();
     ASSERT_TRUE(sut.run_until(MachineState::ready));
-    EXPECT_EQ(sut.cycle->sample().override_percent, 60U);
+    EXPECT_EQ(override_percent(), 130U) << "broken off";
     sut.give(some_steps(sut.positions()));
     ASSERT_EQ(sut.start(), Refusal::none);
-    EXPECT_EQ(sut.cycle->sample().override_percent, 60U);
+    EXPECT_EQ(override_percent(), 130U);
     ASSERT_TRUE(sut.run_until(MachineState::ready));
     EXPECT_EQ(sut.program().is_done, 1U);
-    EXPECT_EQ(sut.cycle->sample().override_percent, 100U);
+    EXPECT_EQ(override_percent(), 100U);
+    ASSERT_EQ(sut.ask(RequestKind::override, 0, 60), Refusal::none);
+    sut.give(some_steps(sut.positions()));
+    ASSERT_EQ(sut.start(), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(override_percent(), 60U);
 }
 
 TEST(Program, StopsWhereverItIs) {

@@ -45,6 +45,14 @@ public:
         step.seconds = seconds;
         step.tolerance_mm = kTolerance_mm;
     }
+    /// By point-by-point comparison, of r1.
+    void stepped_to(double r1_mm) {
+        to(r1_mm, at_mm_[1]);
+        steps_.back().tolerance_mm = 0.0;
+        steps_.back().shape = cycle::OrderShape::stepped;
+        steps_.back().stepped_axes = 1;
+    }
+    /// Of all ways but those.
     double seconds() {
         add().kind = MotionKind::end;
         double seconds = 0.0;
@@ -111,6 +119,18 @@ TEST(ProgramFeed, IsThatOfTheCircleWhoseChordsAreShort) {
         const double taken_s = script.seconds();
         EXPECT_GE(taken_s, circle_s) << chord_mm;
         EXPECT_LE(taken_s, 1.05 * circle_s) << chord_mm;
+    }
+}
+
+// What rounding made longer in ways from rest to rest is no part of the next staircase.
+TEST(ProgramFeed, BehindSteppedWaysIsThatOfTheWay) {
+    for (const double way_mm : {0.08, 0.16, 0.27, 0.5}) {
+        UnroundedScript alone{300.0};
+        alone.to(-way_mm, 0.0);
+        UnroundedScript script{300.0};
+        for (int i = 0; i < 300; ++i) script.stepped_to(i % 2 == 0 ? -0.6 / kPulsesPerMm : 0.0);
+        script.to(-way_mm, 0.0);
+        EXPECT_DOUBLE_EQ(script.seconds(), alone.seconds()) << way_mm;
     }
 }
 

@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::supervisor {
 namespace {
@@ -41,6 +42,28 @@ TEST(ReplayScript, BeginsAtTheFirstHomedRest) {
     EXPECT_EQ(sut->steps[0].request, cycle::RequestKind::start);
     EXPECT_EQ(sut->steps[0].tick, 500U);
     EXPECT_EQ(sut->end_tick, 500U);
+}
+
+// One above 100 % has ended with the program before.
+TEST(ReplayScript, BeginsWithTheOverrideThatAProgramLeft) {
+    for (const std::int64_t percent : {150, 60}) {
+        FlightRecord asked = command(1200, CommandKind::override);
+        asked.value = percent;
+        FlightRecord done{};
+        done.tick = 4000;
+        done.kind = RecordKind::program;
+        done.code = recorded_code(ProgramEvent::ended, static_cast<std::uint8_t>(ProgramEnding::done));
+        const auto sut = script_from_records(
+            {state_change(1000, MachineState::ready), asked, command(2000, CommandKind::program),
+             state_change(2000, MachineState::carving), done, state_change(4000, MachineState::ready),
+             command(5000, CommandKind::start)});
+        ASSERT_TRUE(sut.has_value());
+        ASSERT_EQ(sut->steps.size(), percent > 100 ? 1U : 2U);
+        EXPECT_EQ(sut->steps.back().request, cycle::RequestKind::start);
+        if (percent > 100) continue;
+        EXPECT_EQ(sut->steps.front().request, cycle::RequestKind::override);
+        EXPECT_EQ(sut->steps.front().value, 60U);
+    }
 }
 
 // Its records are not in the snapshot: nothing before its end can be done again.

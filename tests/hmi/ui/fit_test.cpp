@@ -71,7 +71,7 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
 }
 
 TEST_P(Fit, WithAPieceThatOnlyADiskKnows) {
-    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    keep_state_in_own_folder();
     SavedCheckpoint saved;
     saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
     saved.segment_name = segment_name_;
@@ -81,14 +81,13 @@ TEST_P(Fit, WithAPieceThatOnlyADiskKnows) {
     ASSERT_TRUE(save_checkpoint(saved, names.checkpoint()));
     open_on_screen();
     ASSERT_TRUE(comes_true([&] { return part<QLabel>("unfinished_title").isVisible(); }));
-    setenv("PSICARVE_STATE", "", 1);
     settle();
     expect_fit("saved_piece_without_its_job");
     EXPECT_FALSE(button("unfinished_open").isVisible());
 }
 
 TEST_P(Fit, WithAPieceThatADiskKnowsAndItsJob) {
-    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    keep_state_in_own_folder();
     SavedCheckpoint saved;
     saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
     saved.segment_name = segment_name_;
@@ -99,7 +98,6 @@ TEST_P(Fit, WithAPieceThatADiskKnowsAndItsJob) {
     ASSERT_TRUE(save_job_for_everybody(std::vector<std::byte>(64), names.job(1)));
     open_on_screen();
     ASSERT_TRUE(comes_true([&] { return part<QLabel>("unfinished_title").isVisible(); }));
-    setenv("PSICARVE_STATE", "", 1);
     settle();
     expect_fit("saved_piece");
     EXPECT_TRUE(button("unfinished_open").isVisible());
@@ -107,7 +105,7 @@ TEST_P(Fit, WithAPieceThatADiskKnowsAndItsJob) {
 
 /// All that there is to be known of such a piece, each in its longest words.
 TEST_P(Fit, WithAPieceOfAnotherCoreAndProfile) {
-    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    keep_state_in_own_folder();
     SavedCheckpoint saved;
     saved.checkpoint = checkpoint_at(1, 3131, 4000, 3999);
     saved.segment_name = segment_name_;
@@ -125,7 +123,6 @@ TEST_P(Fit, WithAPieceOfAnotherCoreAndProfile) {
         return machine_view().is_heard() && machine_view().saved_piece &&
                machine_view().saved_piece->keeper == Keeper::other_core;
     }));
-    setenv("PSICARVE_STATE", "", 1);
     expect_fit("saved_piece_of_another_core");
     const auto needs = session::saved_needs(*machine_view().saved_piece, machine_view());
     EXPECT_EQ(needs.size(), 4U);

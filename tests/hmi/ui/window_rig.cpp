@@ -44,7 +44,14 @@ WindowRig::WindowRig() {
 
 WindowRig::~WindowRig() {
     if (!HasFailure()) expect_pressed_as_in_table(PressLog::instance());
+    window_.reset();  // its threads read the environment
+    if (keeps_state_) setenv("PSICARVE_STATE", "", 1);
     use_language(Language::english);  // a window may have chosen another one
+}
+
+void WindowRig::keep_state_in_own_folder() {
+    setenv("PSICARVE_STATE", file("").c_str(), 1);
+    keeps_state_ = true;
 }
 
 std::unique_ptr<SettingsStore> WindowRig::kept_settings() {

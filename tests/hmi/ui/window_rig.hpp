@@ -34,6 +34,9 @@ protected:
     WindowRig();
     ~WindowRig() override;
 
+    /// $PSICARVE_STATE is file(""), for as long as there is a window, which looks there again and again.
+    /// Before one is opened.
+    void keep_state_in_own_folder();
     /// Its settings are read.
     void open_window();
     static std::unique_ptr<SettingsStore> kept_settings();
@@ -73,6 +76,9 @@ protected:
     void take_picture(const QString& name);
 
     std::unique_ptr<MainWindow> window_;
+
+private:
+    bool keeps_state_ = false;
 };
 
 }  // namespace psicarve::ui::test

@@ -39,7 +39,7 @@ std::string alarms_text(const machine::RunFigures& figures) {
 std::string lost_text(const RunReport& report) {
     std::string text;
     for (const AlarmRecord& alarm : report.figures.alarms) {
-        const auto lost = report::lost_steps_of(alarm, report.pulses_per_rev);
+        const auto lost = report::lost_steps_of(alarm, report.table);
         if (lost) text += "lost       " + report::lost_steps_text(*lost) + "\n";
     }
     return text;

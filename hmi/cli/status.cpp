@@ -171,7 +171,8 @@ std::string json_line(machine::MachineLink& link, const ProgramSight& sight, con
     nlohmann::ordered_json object{{"segment", link.segment_name()},
                                   {"core_pid", link.core_pid().value_or(0)}};
     const auto checkpoint = link.checkpoint();
-    object.update(report::status_json(status, profile ? profile->psi.pulses_per_rev : 0));
+    object.update(
+        report::status_json(status, profile ? report::TableSize::of(*profile) : report::TableSize{}));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["program"] = program_json(sight.program, status, profile ? &*profile : nullptr);
     object["last_program"] = last_program_json(sight.program.status);

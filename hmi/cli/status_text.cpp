@@ -105,8 +105,8 @@ std::string outputs_text(const CoreStatus& status) {
 std::string latched_lost_text(const CoreStatus& status, const Profile* profile) {
     const auto alarms = report::alarms_of(status);
     if (alarms.empty() || status.alarm_cause != AlarmCause::steps_lost) return {};
-    const std::int64_t pulses_per_rev = profile != nullptr ? profile->psi.pulses_per_rev : 0;
-    const auto lost = report::lost_steps_of(alarms.back(), pulses_per_rev);
+    const auto table = profile != nullptr ? report::TableSize::of(*profile) : report::TableSize{};
+    const auto lost = report::lost_steps_of(alarms.back(), table);
     return lost ? "lost       " + report::lost_steps_text(*lost) + "\n" : "";
 }
 

@@ -46,8 +46,7 @@ void read_slice_report(const JobView& job, RunReport& report) {
 
 Json alarms_json(const RunReport& report) {
     auto alarms = Json::array();
-    for (const AlarmRecord& alarm : report.figures.alarms)
-        alarms.push_back(alarm_json(alarm, report.pulses_per_rev));
+    for (const AlarmRecord& alarm : report.figures.alarms) alarms.push_back(alarm_json(alarm, report.table));
     return alarms;
 }
 
@@ -125,7 +124,7 @@ RunReport report_of(const JobView& job, const machine::JobRun& run) {
     report.last = run.after;
     const auto profile = job_profile(job);
     report.lost_steps = lost_steps_text(run.before, run.after, profile);
-    if (profile) report.pulses_per_rev = profile->psi.pulses_per_rev;
+    if (profile) report.table = TableSize::of(*profile);
     read_slice_report(job, report);
     return report;
 }

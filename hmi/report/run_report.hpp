@@ -7,6 +7,7 @@
 
 #include "hmi/machine/job_run.hpp"
 #include "hmi/piece/piece_deviation.hpp"
+#include "hmi/report/lost_steps.hpp"
 #include "hmi/verify/verify_report.hpp"
 #include "shared/job/job.hpp"
 
@@ -33,7 +34,7 @@ struct RunReport {
     std::optional<piece::PieceDeviation> deviation;  ///< of the piece from the model, if asked for
     CoreStatus before{};                             ///< the core's status when the run began
     CoreStatus last{};
-    std::int64_t pulses_per_rev = 0;  ///< of the table; 0: not known
+    TableSize table;
     std::string lost_steps;  ///< what the simulated machine did not do in this run, in words; empty: nothing
 };
 

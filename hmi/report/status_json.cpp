@@ -91,9 +91,9 @@ std::vector<AlarmRecord> alarms_of(const CoreStatus& status, std::uint64_t first
     return alarms;
 }
 
-nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, std::int64_t pulses_per_rev) {
+nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, const TableSize& table) {
     const nlohmann::ordered_json none;
-    const auto lost = lost_steps_of(alarm, pulses_per_rev);
+    const auto lost = lost_steps_of(alarm, table);
     const bool has_layers = lost && lost->layers;
     return {{"cause", std::string{name_of(alarm.cause)}},
             {"axis", axis_or_null(alarm.axis)},
@@ -102,6 +102,7 @@ nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, std::int64_t pulses_
             {"seen", alarm.seen},
             {"off_pulses", lost ? nlohmann::ordered_json(lost->off_pulses) : none},
             {"off_deg", lost && lost->off_deg ? nlohmann::ordered_json(*lost->off_deg) : none},
+            {"most_off_mm", lost && lost->most_off_mm ? nlohmann::ordered_json(*lost->most_off_mm) : none},
             {"first_layer", has_layers ? nlohmann::ordered_json(lost->layers->first) : none},
             {"last_layer", has_layers ? nlohmann::ordered_json(lost->layers->last) : none}};
 }
@@ -126,9 +127,9 @@ nlohmann::ordered_json position_json(const CoreStatus& status, const Profile& pr
             {"y_mm", mm(Axis::y)}};
 }
 
-nlohmann::ordered_json status_json(const CoreStatus& status, std::int64_t pulses_per_rev) {
+nlohmann::ordered_json status_json(const CoreStatus& status, const TableSize& table) {
     auto alarms = nlohmann::ordered_json::array();
-    for (const AlarmRecord& alarm : alarms_of(status)) alarms.push_back(alarm_json(alarm, pulses_per_rev));
+    for (const AlarmRecord& alarm : alarms_of(status)) alarms.push_back(alarm_json(alarm, table));
     const bool has_alarm = status.alarm_cause != AlarmCause::none;
     const bool is_running = runs_job(status.state);
     return {{"state", std::string{name_of(status.state)}},

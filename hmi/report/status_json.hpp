@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "hmi/report/lost_steps.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/profile/profile.hpp"
 
 namespace psicarve::report {
 
-/// Every field of the status. `pulses_per_rev`: see alarm_json().
-nlohmann::ordered_json status_json(const CoreStatus& status, std::int64_t pulses_per_rev = 0);
+/// Every field of the status. `table`: see alarm_json().
+nlohmann::ordered_json status_json(const CoreStatus& status, const TableSize& table = {});
 /// The table's angle within a turn, and the number of whole turns counted.
 struct TableAngle {
     double within_deg;  ///< 0 <= angle < 360
@@ -21,9 +22,8 @@ struct TableAngle {
 TableAngle table_angle(std::int64_t pulses, const Profile& profile);
 /// {"r1_mm", "r2_mm", "psi_deg", "psi_turns", "y_mm"} of the machine whose profile this is.
 nlohmann::ordered_json position_json(const CoreStatus& status, const Profile& profile);
-/// {"cause": ..., "axis": ... or null, "tick": ...}. `pulses_per_rev`: of the table, for the amount of lost
-/// steps in degrees; 0: not known.
-nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, std::int64_t pulses_per_rev = 0);
+/// {"cause": ..., "axis": ... or null, "tick": ...}. `table`: for the amount of lost steps in degrees and mm.
+nlohmann::ordered_json alarm_json(const AlarmRecord& alarm, const TableSize& table = {});
 
 /// The alarms that the status still holds, oldest first, from alarm number `first` on.
 std::vector<AlarmRecord> alarms_of(const CoreStatus& status, std::uint64_t first = 0);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
+#include <utility>
 
 #include "hmi/scene/colour_map.hpp"
 #include "hmi/scene/space_picture.hpp"
@@ -77,17 +79,24 @@ std::uint32_t CarvedScene::colour_of(const CarvingRecord& record, std::uint32_t 
     return plan_.done_rgb;
 }
 
+bool CarvedScene::is_in_doubt(const CarvingRecord& record, std::size_t row) const noexcept {
+    const std::uint32_t first = layer_of(row);
+    return record.is_in_doubt(first, row + 1 < up_ ? std::max(first, layer_of(row + 1) - 1U) : first);
+}
+
 void CarvedScene::fill_row(const CarvingRecord& record, std::size_t row) {
     const std::uint32_t layer = layer_of(row);
     const std::size_t cells = record.surface().direction_count();
     const auto height = static_cast<float>(record.surface().layer_height_mm(layer) - middle_mm_);
+    const bool is_doubtful = is_in_doubt(record, row);
     for (std::size_t column = 0; column < round_; ++column) {
         const auto cell = static_cast<std::uint32_t>(column * cells / round_);
         const auto& [cosine, sine] = directions_[column];
         const std::size_t place = row * round_ + column;
         const float radius = record.shown_mm(layer, cell);
         scene_->vertices[place] = {radius * cosine, radius * sine, height};
-        scene_->vertex_rgb[place] = colour_of(record, layer, cell);
+        scene_->vertex_rgb[place] =
+            is_doubtful && record.is_carved(layer, cell) ? plan_.doubt_rgb : colour_of(record, layer, cell);
     }
 }
 
@@ -95,6 +104,10 @@ std::vector<VertexRange> CarvedScene::update(CarvingRecord& record) {
     std::vector<std::uint32_t> rows;
     for (const std::uint32_t layer : record.take_changed_layers()) {
         if (row_of_layer_[layer] != kNoRow) rows.push_back(row_of_layer_[layer]);
+    }
+    if (std::exchange(doubt_edition_, record.doubt_edition()) != record.doubt_edition()) {
+        rows.resize(up_);
+        std::iota(rows.begin(), rows.end(), 0U);
     }
     std::sort(rows.begin(), rows.end());
     for (const std::uint32_t row : rows) fill_row(record, row);

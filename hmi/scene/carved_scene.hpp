@@ -35,6 +35,7 @@ struct CarvedScenePlan {
     double most_mm = 1.0;
     std::int32_t neutral_pulses = 1;  ///< deviation: shown as done up to here; requires neutral < reach
     std::int32_t reach_pulses = 8;    ///< the scale's end on either side
+    std::uint32_t doubt_rgb = 0;      ///< what is carved, but can be wrong, whatever the colouring
 };
 
 /// The piece on the table, as a scene that follows the carving: only rows that have changed are made anew.
@@ -64,6 +65,8 @@ public:
 private:
     std::uint32_t colour_of(const CarvingRecord& record, std::uint32_t layer,
                             std::uint32_t cell) const noexcept;
+    /// Whether any of the layers is that a row stands for.
+    bool is_in_doubt(const CarvingRecord& record, std::size_t row) const noexcept;
     void fill_row(const CarvingRecord& record, std::size_t row);
     std::uint32_t layer_of(std::size_t row) const noexcept;
 
@@ -72,6 +75,7 @@ private:
     std::size_t up_;
     std::uint32_t layer_count_;
     double middle_mm_;
+    std::uint64_t doubt_edition_ = 0;          ///< of the record, that the scene shows
     std::vector<std::uint32_t> row_of_layer_;  ///< or kNoRow
     std::vector<std::array<float, 2>> directions_;
     std::shared_ptr<MeshScene> scene_;

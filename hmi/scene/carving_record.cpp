@@ -16,6 +16,30 @@ std::array<std::int64_t, kHeadCount> radii_of(const IncrementEntry& entry) noexc
     return {entry.r1_pulses, entry.r2_pulses};
 }
 
+/// Marks the rows that these layers are, or are nearer to than the pass' others.
+void mark_rows(const verify::JobGeometry& geometry, std::uint32_t first, std::uint32_t end,
+               std::vector<std::uint8_t>& marks) {
+    const JobView& job = geometry.job();
+    const std::uint32_t first_row = geometry.first_row_layer();
+    if (first >= first_row) {
+        std::fill(marks.begin() + (first - first_row), marks.begin() + (end - first_row), std::uint8_t{1});
+        return;
+    }
+    const auto heights = job.layer_heights_pulses();
+    const JobPass& pass = job.passes()[job.pass_of(first)];
+    // Beyond the pass' ends there is no other.
+    const auto border = [&](std::uint32_t layer, std::uint32_t next) {
+        return (heights[layer] + heights[next]) / 2;
+    };
+    const bool is_lowest = first == pass.first_layer;
+    const bool is_highest = end == pass.first_layer + pass.layer_count;
+    for (std::uint32_t row = 0; row < geometry.row_count(); ++row) {
+        const bool is_above = is_lowest || geometry.height(row) >= border(first, first - 1);
+        const bool is_below = is_highest || geometry.height(row) <= border(end - 1, end);
+        if (is_above && is_below) marks[row] = 1;
+    }
+}
+
 }  // namespace
 
 CarvingRecord::CarvingRecord(std::shared_ptr<const cam::PreparedJob> job, const verify::JobGeometry& geometry)
@@ -118,6 +142,29 @@ void CarvingRecord::take_as_planned(std::uint32_t layers_done, std::uint64_t mos
         if (!was_seen) ++planned_layers_;
         note_change(layers_done_);
     }
+}
+
+void CarvingRecord::set_doubt(std::span<const verify::LayerRange> job_layers) {
+    std::vector<std::uint8_t> now(job_layers.empty() ? 0U : surface_.layer_count(), std::uint8_t{0});
+    const JobView& job = geometry_.job();
+    for (const verify::LayerRange& range : job_layers) {
+        const std::uint32_t first = std::min(range.first, job.layer_count());
+        const std::uint32_t end = first + std::min(range.count, job.layer_count() - first);
+        for (std::uint32_t layer = first; layer < end; layer = std::min(end, job.pass_end(layer)))
+            mark_rows(geometry_, layer, std::min(end, job.pass_end(layer)), now);
+    }
+    const std::vector<std::uint8_t> before = std::exchange(is_in_doubt_, std::move(now));
+    for (std::uint32_t layer = 0; layer < surface_.layer_count(); ++layer) {
+        const bool was_in_doubt = !before.empty() && before[layer] != 0;
+        if (was_in_doubt != is_in_doubt(layer)) note_change(layer);
+    }
+    ++doubt_edition_;
+}
+
+bool CarvingRecord::is_in_doubt(std::uint32_t first, std::uint32_t last) const noexcept {
+    if (is_in_doubt_.empty()) return false;
+    const auto begin = is_in_doubt_.begin();
+    return std::find(begin + first, begin + last + 1, std::uint8_t{1}) != begin + last + 1;
 }
 
 void CarvingRecord::put(std::uint32_t layer, std::uint32_t cell, float radius_mm) {

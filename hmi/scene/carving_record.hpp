@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hmi/cam/prepared_job.hpp"
@@ -31,7 +32,19 @@ public:
     /// Takes time in proportion to the job's size.
     static Result<std::unique_ptr<CarvingRecord>> make(std::shared_ptr<const cam::PreparedJob> job);
 
+    /// The job's layers that can be wrong, of all its passes: their rows, and about the height of a layer
+    /// that is no row those that are nearer to it than to its pass' next.
+    void set_doubt(std::span<const verify::LayerRange> job_layers);
+
     // Layers are rows of the finishing pass, from 0, unless said otherwise.
+
+    /// Grows whenever layers come into doubt, or are freed of it.
+    std::uint64_t doubt_edition() const noexcept { return doubt_edition_; }
+    bool is_in_doubt(std::uint32_t layer) const noexcept {
+        return !is_in_doubt_.empty() && is_in_doubt_[layer] != 0;
+    }
+    /// Whether any of these layers is, first .. last.
+    bool is_in_doubt(std::uint32_t first, std::uint32_t last) const noexcept;
 
     void take(const IncrementEntry& entry);
     /// All layers of the job below this one are done, seen or not. Handles at most `most_cells`, and
@@ -78,10 +91,12 @@ private:
     verify::CarvedSurface surface_;
     std::vector<float> blank_mm_;            ///< radius of its surface by cell; empty: not known
     std::vector<std::uint8_t> has_changed_;  ///< by layer
+    std::vector<std::uint8_t> is_in_doubt_;  ///< by layer; empty: none is
     std::vector<std::uint32_t> changed_;
     std::uint32_t planned_layers_ = 0;
     std::uint32_t layers_done_ = 0;
     std::uint64_t edition_ = 0;
+    std::uint64_t doubt_edition_ = 0;
 };
 
 }  // namespace psicarve::session

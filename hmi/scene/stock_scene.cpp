@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "hmi/scene/colour_map.hpp"
 #include "hmi/scene/space_picture.hpp"
@@ -47,10 +48,25 @@ std::size_t StockScene::stock_row(std::size_t up) const noexcept {
     return up_ > 1 ? up * (front_.shown().row_count() - 1) / (up_ - 1) : 0;
 }
 
-std::uint32_t StockScene::colour_of(const CarvingRecord& record, std::size_t row, std::size_t column) const {
+bool StockScene::is_in_doubt(const CarvingRecord& record, std::size_t up) const noexcept {
+    const verify::JobGeometry& geometry = record.geometry();
+    const auto row_at = [&](std::size_t at) {
+        const double height_mm = front_.shown().height_mm(stock_row(at));
+        const std::int64_t height =
+            std::clamp<std::int64_t>(std::llround(height_mm * geometry.y_pulses_per_mm()), geometry.height(0),
+                                     geometry.height(geometry.row_count() - 1));
+        return geometry.row_at(height, 0).value_or(0);
+    };
+    const std::uint32_t first = row_at(up);
+    return record.is_in_doubt(first, std::max(first, up + 1 < up_ ? row_at(up + 1) : first));
+}
+
+std::uint32_t StockScene::colour_of(const CarvingRecord& record, std::size_t row, std::size_t column,
+                                    bool is_doubtful) const {
     const piece::StockMap& stock = front_.shown();
     const auto radius_mm = static_cast<double>(stock.row(row)[column]);
     if (radius_mm >= stock.surface_mm(column) - kUncut_mm) return plan_.blank_rgb;
+    if (is_doubtful) return plan_.doubt_rgb;
     if (plan_.colouring == Colouring::radius)
         return viridis((radius_mm - plan_.least_mm) / (plan_.most_mm - plan_.least_mm));
     if (plan_.colouring == Colouring::deviation) {
@@ -76,12 +92,13 @@ void StockScene::fill_row(const CarvingRecord& record, std::size_t up) {
     double height_mm = stock.height_mm(row) - middle_mm_;
     if (up == 0) height_mm = -scene_->size[2] / 2.0;
     if (up + 1 == up_) height_mm = scene_->size[2] / 2.0;
+    const bool is_doubtful = is_in_doubt(record, up);
     for (std::size_t at = 0; at < round_; ++at) {
         const std::size_t column = at * stock.column_count() / round_;
         const float radius = stock.row(row)[column];
         const auto& [cosine, sine] = directions_[at];
         scene_->vertices[up * round_ + at] = {radius * cosine, radius * sine, static_cast<float>(height_mm)};
-        scene_->vertex_rgb[up * round_ + at] = colour_of(record, row, column);
+        scene_->vertex_rgb[up * round_ + at] = colour_of(record, row, column, is_doubtful);
     }
 }
 
@@ -108,6 +125,8 @@ std::vector<VertexRange> StockScene::update(CarvingRecord& record) {
     if (plan_.colouring == Colouring::deviation) {
         for (const std::uint32_t layer : layers) note_layer(record, layer, has_changed);
     }
+    if (std::exchange(doubt_edition_, record.doubt_edition()) != record.doubt_edition())
+        std::fill(has_changed.begin(), has_changed.end(), std::uint8_t{1});
     std::vector<std::uint32_t> rows;
     for (std::size_t up = 0; up < up_; ++up) {
         if (has_changed[stock_row(up)] == 0) continue;

@@ -24,7 +24,11 @@ public:
     std::vector<VertexRange> update(CarvingRecord& record) override;
 
 private:
-    std::uint32_t colour_of(const CarvingRecord& record, std::size_t row, std::size_t column) const;
+    /// Whether any of the record's layers is that lie between this row's height and the next one's, or are
+    /// nearest to it.
+    bool is_in_doubt(const CarvingRecord& record, std::size_t up) const noexcept;
+    std::uint32_t colour_of(const CarvingRecord& record, std::size_t row, std::size_t column,
+                            bool is_doubtful) const;
     void fill_row(const CarvingRecord& record, std::size_t up);
     std::size_t stock_row(std::size_t up) const noexcept;
     void note_layer(const CarvingRecord& record, std::uint32_t layer, std::vector<std::uint8_t>& has_changed);
@@ -34,6 +38,7 @@ private:
     std::size_t round_;
     std::size_t up_;
     double middle_mm_;
+    std::uint64_t doubt_edition_ = 0;  ///< of the record, that the scene shows
     std::vector<std::array<float, 2>> directions_;
     std::shared_ptr<MeshScene> scene_;
 };

@@ -102,7 +102,8 @@ AlarmText estop_text(const MachineView& machine) {
 
 /// How much was lost, and which layers that has ruined.
 Phrase lost_detail(const MachineView& machine, const AlarmRecord& alarm) {
-    const auto lost = report::lost_steps_of(alarm, machine.profile ? machine.profile->psi.pulses_per_rev : 0);
+    const auto lost = report::lost_steps_of(
+        alarm, machine.profile ? report::TableSize::of(*machine.profile) : report::TableSize{});
     if (!lost) return phrase("The Ψ index did not come where it was expected.");
     const std::string expected = count_text(alarm.expected);
     const std::string seen = count_text(alarm.seen);
@@ -112,7 +113,8 @@ Phrase lost_detail(const MachineView& machine, const AlarmRecord& alarm) {
             expected, seen);
     }
     const char* const sign = lost->off_pulses < 0 ? "\u2212" : "+";
-    const std::string amount = sign + number_text(std::abs(*lost->off_deg), 3) + "°";
+    std::string amount = sign + number_text(std::abs(*lost->off_deg), 3) + "°";
+    if (lost->most_off_mm) amount += " (≤ " + number_text(std::abs(*lost->most_off_mm), 3) + " mm)";
     if (!lost->layers) {
         return phrase(
             "The Ψ index was expected at %1 pulses and came at %2: the table stands %3 off. Likely it was "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/session/carving_watch.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace psicarve::session {
@@ -20,6 +21,7 @@ struct Blank {
 void CarvingWatch::make_blank() {
     std::shared_ptr<const CarvingRecord> record_before{std::move(record_)};
     std::shared_ptr<const LivePiece> piece_before{std::move(piece_)};
+    is_doubt_told_ = false;
     queue_.drop_waiting();
     queue_.post([this, record_before = std::move(record_before), piece_before = std::move(piece_before),
                  job = job_, number = ++blank_number_]() mutable -> BackgroundQueue::Finish {
@@ -48,6 +50,7 @@ void CarvingWatch::refresh() {
     if (job != job_ && (job || machine_.view().is_heard())) {
         job_ = job;
         job_start_tick_ = 0;
+        doubt_.forget();
         make_blank();
     }
     const auto& status = machine_.view().status;
@@ -62,12 +65,24 @@ void CarvingWatch::refresh() {
     if (status->job_start_tick != job_start_tick_) {
         if (job_start_tick_ != 0) make_blank();
         job_start_tick_ = status->job_start_tick;
+        // A core that has just begun has not started it.
+        if (job_start_tick_ != 0) {
+            const auto layer = static_cast<std::uint32_t>(status->points_done / job_->view.point_count());
+            doubt_.begin_at(std::min(layer, job_->view.layer_count()));
+            is_doubt_told_ = false;
+        }
     }
     if (!record_) return;
+    take_doubt(*status);
     take_increments(*status);
     const bool is_complete = status->points_total > 0 && status->points_done == status->points_total;
     if (status->points_done > 0)
         record_->take_as_planned(is_complete ? status->layer + 1 : status->layer, kCellsPerLook);
+}
+
+void CarvingWatch::take_doubt(const CoreStatus& status) {
+    if (doubt_.take(status)) is_doubt_told_ = false;
+    if (!std::exchange(is_doubt_told_, true)) record_->set_doubt(doubt_.layers());
 }
 
 void CarvingWatch::take_increments(const CoreStatus& status) {

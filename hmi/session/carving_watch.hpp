@@ -6,6 +6,7 @@
 
 #include "hmi/scene/carving_record.hpp"
 #include "hmi/session/background_queue.hpp"
+#include "hmi/session/layers_in_doubt.hpp"
 #include "hmi/session/live_piece.hpp"
 #include "hmi/session/machine_session.hpp"
 #include "hmi/session/open_job.hpp"
@@ -25,6 +26,8 @@ public:
     CarvingRecord* record() const noexcept { return record_.get(); }
     /// Exists with the record, if the job's tool has a size.
     LivePiece* piece() const noexcept { return piece_.get(); }
+    /// Of the job on the table.
+    const LayersInDoubt& doubt() const noexcept { return doubt_; }
     bool has_job() const noexcept { return job_ != nullptr; }
     /// Grows with each fresh blank.
     std::uint64_t edition() const noexcept { return edition_; }
@@ -32,12 +35,15 @@ public:
 private:
     void make_blank();
     void take_increments(const CoreStatus& status);
+    void take_doubt(const CoreStatus& status);
 
     MachineSession& machine_;
     OpenJob& desk_;
     std::shared_ptr<const cam::PreparedJob> job_;
     std::unique_ptr<CarvingRecord> record_;
     std::unique_ptr<LivePiece> piece_;
+    LayersInDoubt doubt_;
+    bool is_doubt_told_ = false;      ///< the record has it
     std::uint64_t blank_number_ = 0;  ///< of the blank that is being made
     std::uint64_t edition_ = 0;
     std::uint64_t job_start_tick_ = 0;

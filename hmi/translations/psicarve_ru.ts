@@ -300,6 +300,10 @@
             <translation>Слоёв: %1</translation>
         </message>
         <message>
+            <source>%1 layers can be wrong, from layer %2 on%3</source>
+            <translation>Слоёв под сомнением: %1, начиная со слоя %2%3</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>слоёв %1, а не %2: высота %3 лишь %4 mm, а слою нужен импульс оси Y</translation>
         </message>
@@ -2629,6 +2633,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Слой %1 / %2, точка %3 / %4</translation>
         </message>
         <message>
+            <source>Layer %1 can be wrong%2</source>
+            <translation>Слой %1 может быть неверным%2</translation>
+        </message>
+        <message>
             <source>Layer %1 of %2</source>
             <translation>Слой %1 из %2</translation>
         </message>
@@ -2655,6 +2663,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Layers</source>
             <translation>Слои</translation>
+        </message>
+        <message>
+            <source>Layers %1 to %2 can be wrong%3</source>
+            <translation>Слои с %1 по %2 могут быть неверными%3</translation>
         </message>
         <message>
             <source>Layers 1 to %1 of %2 are carved and would be carved again.</source>
@@ -5219,6 +5231,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>The spindle stays off until the program turns it on.</source>
             <translation>Шпиндель выключен, пока программа его не включит.</translation>
+        </message>
+        <message>
+            <source>The table had lost steps there. Measure the piece, or go on from the first of these layers</source>
+            <translation>Стол там потерял шаги. Измерьте деталь или продолжите с первого из этих слоёв</translation>
         </message>
         <message>
             <source>The table has lost steps</source>

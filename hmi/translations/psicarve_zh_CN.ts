@@ -300,6 +300,10 @@
             <translation>%1 层</translation>
         </message>
         <message>
+            <source>%1 layers can be wrong, from layer %2 on%3</source>
+            <translation>有 %1 层可能有误，从第 %2 层起%3</translation>
+        </message>
+        <message>
             <source>%1 layers, not %2: %3 is only %4 mm high, and a layer needs a pulse of axis Y</source>
             <translation>%1 层而不是 %2 层：%3 只有 %4 mm 高，每层至少需要 Y 轴一个脉冲</translation>
         </message>
@@ -2628,6 +2632,10 @@ N、Shift+N  下一条、上一条记录
             <translation>层 %1 / %2，点 %3 / %4</translation>
         </message>
         <message>
+            <source>Layer %1 can be wrong%2</source>
+            <translation>第 %1 层可能有误%2</translation>
+        </message>
+        <message>
             <source>Layer %1 of %2</source>
             <translation>第 %1 层，共 %2 层</translation>
         </message>
@@ -2654,6 +2662,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Layers</source>
             <translation>层</translation>
+        </message>
+        <message>
+            <source>Layers %1 to %2 can be wrong%3</source>
+            <translation>第 %1 至 %2 层可能有误%3</translation>
         </message>
         <message>
             <source>Layers 1 to %1 of %2 are carved and would be carved again.</source>
@@ -5214,6 +5226,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>The spindle stays off until the program turns it on.</source>
             <translation>主轴保持关闭，直到程序打开它。</translation>
+        </message>
+        <message>
+            <source>The table had lost steps there. Measure the piece, or go on from the first of these layers</source>
+            <translation>转台在该处丢过步。请测量工件，或从其中第一层继续</translation>
         </message>
         <message>
             <source>The table has lost steps</source>

@@ -57,6 +57,7 @@ CarvingPage::CarvingPage(WindowContext& context, Drawing drawing, QWidget* paren
       colourings_(new QButtonGroup{this}),
       done_(role_label("label")),
       blank_(role_label("label")),
+      doubt_(role_label("label")),
       behind_(role_label("label")),
       feed_(role_label("label")),
       point_(role_label("title")) {
@@ -67,14 +68,18 @@ CarvingPage::CarvingPage(WindowContext& context, Drawing drawing, QWidget* paren
     point_->setObjectName("carving_point");
     done_->setObjectName("carving_done");
     blank_->setObjectName("carving_blank");
-    for (QLabel* label : {done_, blank_}) label->setTextFormat(Qt::RichText);  // squares of colour; no names
+    doubt_->setObjectName("carving_doubt");
+    doubt_->setToolTip(
+        tr("The table had lost steps there. Measure the piece, or go on from the first of these layers"));
+    for (QLabel* label : {done_, blank_, doubt_})
+        label->setTextFormat(Qt::RichText);  // squares of colour; no names
     behind_->setObjectName("carving_behind");
     feed_->setObjectName("carving_feed");
     feed_->setToolTip(tr("Of the faster head's tool over the surface, in the last second"));
     setObjectName("carving_page");
     auto* foot = new FlowLayout;
     foot->setSpacing(kGap);
-    for (QLabel* label : {done_, blank_, behind_}) foot->addWidget(label);
+    for (QLabel* label : {done_, blank_, doubt_, behind_}) foot->addWidget(label);
     foot->add_end();
     foot->addWidget(feed_);
     foot->addWidget(point_);
@@ -123,6 +128,7 @@ void CarvingPage::resizeEvent(QResizeEvent* event) {
 
 session::CarvedScenePlan CarvingPage::plan() const {
     session::CarvedScenePlan plan = plan_for(view_->drawing());
+    plan.doubt_rgb = kDoubtColour;
     plan.colouring = colouring_;
     plan.least_mm = least_mm_;
     plan.most_mm = most_mm_;
@@ -311,18 +317,28 @@ QString CarvingPage::behind_text(const session::LivePiece& piece) {
     return piece.waiting() > kFewIncrements ? tr("catching up") : QString{};
 }
 
+void CarvingPage::say_doubt() {
+    const auto job = context_.job_at_work();
+    const session::Phrase text =
+        context_.replay.is_open() || !job
+            ? session::Phrase{}
+            : session::doubt_text(context_.carving.doubt(), report::TableSize::of(job->profile));
+    doubt_->setVisible(!text.is_empty());
+    doubt_->setText(text.is_empty() ? QString{} : colour_square(kDoubtColour) + words(text));
+}
+
 void CarvingPage::say() {
     feed_->setText(runs_job(context_.shown().state()) ? axes_->feed_text() : QString{});
     const auto& status = context_.shown().status;
     const session::CarvingRecord* const record = shown_record();
     const auto job = context_.job_at_work();
     if (context_.replay.carving_ratio() < 1.0) {
-        for (QLabel* label : {blank_, behind_, point_}) label->clear();
+        for (QLabel* label : {blank_, doubt_, behind_, point_}) label->clear();
         return done_->setText(
             tr("Working the piece out: %1 %").arg(qRound(100.0 * context_.replay.carving_ratio())));
     }
     if (record == nullptr || !job || !status || status->points_total == 0) {
-        for (QLabel* label : {done_, blank_, behind_, point_}) label->clear();
+        for (QLabel* label : {done_, blank_, doubt_, behind_, point_}) label->clear();
         return;
     }
     const std::uint32_t layers = job->view.layer_count();
@@ -335,6 +351,7 @@ void CarvingPage::say() {
                                           : tr("carved (%1 layers not seen: as planned)").arg(planned);
     done_->setText(colour_square(kDoneColour) + carved);
     blank_->setText(colour_square(kBlankColour) + tr("blank"));
+    say_doubt();
     behind_->setText(live != nullptr ? behind_text(*live) : QString{});
     point_->setText(tr("Layer %1 / %2, point %3 / %4")
                         .arg(std::min(status->layer + 1, layers))

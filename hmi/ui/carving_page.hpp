@@ -57,6 +57,7 @@ private:
     void note_known_heads();
     std::optional<MeshView::Head::Alarm> alarm_at(std::size_t head, const session::MachinePose& pose) const;
     void say();
+    void say_doubt();
     /// Of a picture that is not as far as the machine.
     static QString behind_text(const session::LivePiece& piece);
 
@@ -83,6 +84,7 @@ private:
     double most_mm_ = 1.0;
     QLabel* done_;
     QLabel* blank_;
+    QLabel* doubt_;
     QLabel* behind_;
     QLabel* feed_;
     QLabel* point_;

@@ -27,5 +27,7 @@ inline QString colour_square(QRgb colour) {
 // What has no scale of colours: within a pulse of what is wanted, or done; and what nothing has carved.
 inline constexpr QRgb kDoneColour = 0xC4CAD0;
 inline constexpr QRgb kBlankColour = 0x7C8894;
+// Carved, but perhaps wrong.
+inline constexpr QRgb kDoubtColour = 0xD1495B;
 
 }  // namespace psicarve::ui

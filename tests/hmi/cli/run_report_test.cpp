@@ -72,7 +72,7 @@ TEST(RunReport, SaysByHowMuchTheSimulatedMachineIsOffWhereItLostSteps) {
 
 TEST(RunReport, SaysByHowMuchTheTableIsOffAndWhichLayersThatAffects) {
     RunReport sut = verified_run();
-    sut.pulses_per_rev = 6400;
+    sut.table = {6400, 0.0};
     sut.figures.alarms.push_back({100, AlarmCause::steps_lost, 2, 4, 3, 19'200, 19'240});
     EXPECT_NE(
         run_text(sut).find("alarms     steps lost of psi at tick 100\n"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
+#include <string>
 
 #include "hmi/scene/colour_map.hpp"
 #include "shared/base/units.hpp"
@@ -138,6 +140,83 @@ TEST_F(Carving, DrawsNoMoreCellsThanAsked) {
     // Columns 0, 4, 8 and the seam; the lowest row and the highest.
     EXPECT_EQ(scene->coarse_facets.size(), 3U * 2U + 3U);
     EXPECT_EQ(scene->vertex_rgb.size(), scene->vertices.size());
+}
+
+TEST_F(Carving, ShowsWhatIsCarvedAndInDoubtWhateverTheColouring) {
+    constexpr std::uint32_t kDoubt = 0xDD0000;
+    constexpr verify::LayerRange kRange{1, 2};
+    carve(0);
+    carve(1);
+    for (const Colouring colouring : {Colouring::done, Colouring::radius, Colouring::deviation}) {
+        CarvedScenePlan coloured = plan();
+        coloured.doubt_rgb = kDoubt;
+        coloured.colouring = colouring;
+        CarvedScene scene{*sut_, coloured};
+        scene.update(*sut_);
+        const auto doubtful = [&] {
+            const auto& rgb = scene.scene()->vertex_rgb;
+            return std::count(rgb.begin(), rgb.end(), kDoubt);
+        };
+        EXPECT_EQ(doubtful(), 0);
+        const auto before = sut_->edition();
+        sut_->set_doubt(std::span{&kRange, 1});
+        EXPECT_GT(sut_->edition(), before);
+        const std::vector<VertexRange> wanted{{0, kLayers * kCellsOfLayer}};
+        EXPECT_EQ(scene.update(*sut_), wanted);
+        EXPECT_EQ(doubtful(), std::ptrdiff_t{kCellsOfLayer}) << "layer 2 is not carved yet";
+        EXPECT_EQ(scene.scene()->vertex_rgb[kCellsOfLayer], kDoubt);
+        sut_->set_doubt({});
+        EXPECT_EQ(scene.update(*sut_), wanted);
+        EXPECT_EQ(doubtful(), 0);
+    }
+    // Of rows that stand for several layers each, those that one of these is among.
+    carve(3);
+    carve(4);
+    carve(5);
+    constexpr verify::LayerRange kBetween{3, 1};
+    sut_->set_doubt(std::span{&kBetween, 1});
+    CarvedScenePlan few = plan(1000, 3);  // of layers 0, 2 and 5
+    few.doubt_rgb = kDoubt;
+    const CarvedScene scene{*sut_, few};
+    const auto& rgb = scene.scene()->vertex_rgb;
+    EXPECT_EQ(std::count(rgb.begin(), rgb.end(), kDoubt), 0) << "layer 2, which the row shows, is not carved";
+    carve(2);
+    const CarvedScene carved{*sut_, few};
+    const auto& rgb_carved = carved.scene()->vertex_rgb;
+    EXPECT_EQ(std::count(rgb_carved.begin(), rgb_carved.end(), kDoubt), std::ptrdiff_t{kCellsOfLayer});
+    EXPECT_EQ(rgb_carved[kCellsOfLayer], kDoubt);
+    constexpr verify::LayerRange kBeyond{kLayers + 5, ~0U};
+    sut_->set_doubt(std::span{&kBeyond, 1});
+    for (std::uint32_t layer = 0; layer < kLayers; ++layer) EXPECT_FALSE(sut_->is_in_doubt(layer));
+}
+
+/// Layers 0 and 1 of roughing stand at the heights of rows 0 and 4 of six.
+TEST(CarvingOfPasses, DoubtsTheRowsAboutALayerOfRoughing) {
+    JobTable table = two_process::lobed_job(2 + kLayers, kPoints);
+    for (std::uint32_t row = 0; row < kLayers; ++row)
+        table.layer_height_pulses[2 + row] = 1000 + 100 * std::int64_t{row};
+    table.layer_height_pulses[0] = 1000;
+    table.layer_height_pulses[1] = 1400;
+    table.passes = {{static_cast<std::uint32_t>(PassKind::roughing), 1, 0, 2, 0.3, 2.0, 30.0},
+                    {static_cast<std::uint32_t>(PassKind::finishing), 1, 2, kLayers, 0.0, 2.0, 30.0}};
+    auto made = cam::prepare_blob(job_blob_from_table(table), Profile{}, "rough");
+    ASSERT_TRUE(made) << made.error().message;
+    auto record = CarvingRecord::make(std::make_shared<const cam::PreparedJob>(std::move(*made)));
+    ASSERT_TRUE(record);
+    const auto doubted = [&](verify::LayerRange range) {
+        (*record)->set_doubt(std::span{&range, 1});
+        std::string rows;
+        for (std::uint32_t row = 0; row < kLayers; ++row) {
+            if ((*record)->is_in_doubt(row)) rows += std::to_string(row);
+        }
+        return rows;
+    };
+    EXPECT_EQ(doubted({0, 1}), "012") << "up to the middle";
+    EXPECT_EQ(doubted({1, 1}), "2345") << "and from there on";
+    EXPECT_EQ(doubted({0, 2}), "012345");
+    EXPECT_EQ(doubted({1, 2}), "02345") << "the last of one pass and the first of the next";
+    EXPECT_EQ(doubted({3, 2}), "12");
+    EXPECT_EQ(doubted({7, 9}), "5");
 }
 
 TEST_F(Carving, MakesOnlyThoseRowsAnewThatWereCarved) {

@@ -257,6 +257,24 @@ TEST_F(LivePieces, AreDrawnAsTheyAre) {
     const StockScene anew{*record_, sut_->front(), {1000, 1000, 4, kDoneRgb, kBlankRgb}};
     EXPECT_EQ(anew.scene()->vertices, scene.scene()->vertices);
     EXPECT_EQ(anew.scene()->vertex_rgb, scene.scene()->vertex_rgb);
+    // What can be wrong has the colour of that, and loses it again.
+    constexpr std::uint32_t kDoubtRgb = 0xDD0000;
+    CarvedScenePlan plan{1000, 1000, 4, kDoneRgb, kBlankRgb};
+    plan.doubt_rgb = kDoubtRgb;
+    StockScene doubted{*record_, sut_->front(), plan};
+    const auto in_doubt = [&] {
+        const auto& colours = doubted.scene()->vertex_rgb;
+        return std::count(colours.begin(), colours.end(), kDoubtRgb);
+    };
+    doubted.update(*record_);
+    constexpr verify::LayerRange kRange{3, 2};
+    record_->set_doubt(std::span{&kRange, 1});
+    EXPECT_FALSE(doubted.update(*record_).empty());
+    EXPECT_GT(in_doubt(), 0);
+    EXPECT_LT(in_doubt(), count(kDoneRgb) / 2);
+    record_->set_doubt({});
+    EXPECT_FALSE(doubted.update(*record_).empty());
+    EXPECT_EQ(in_doubt(), 0);
     // A tip that touches stands on what it has left.
     const auto pose = record_->pose(geometry().target(9, 0), scene.middle_mm());
     const double height_mm = pose.heads[0].height_mm + scene.middle_mm();

@@ -100,6 +100,11 @@ TEST(AlarmText, SaysByHowMuchTheTableIsOffAndWhichLayersThatAffects) {
     EXPECT_EQ(in_english(alarm_text(machine).detail), off + " Layers 4 to 7 can be wrong.");
     alarm.layer_count = 1;
     EXPECT_EQ(in_english(alarm_text(machine).detail), off + " Layer 4 can be wrong.");
+    machine.profile->blank.radius_mm = 30.0;
+    EXPECT_NE(in_english(alarm_text(machine).detail).find("stands \u22122.250° (≤ 1.178 mm) off"),
+              std::string::npos)
+        << in_english(alarm_text(machine).detail);
+    machine.profile->blank.radius_mm = 0.0;
     alarm.layer_count = 0;
     EXPECT_EQ(in_english(alarm_text(machine).detail), off);
     machine.profile.reset();

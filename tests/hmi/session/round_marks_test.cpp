@@ -9,12 +9,12 @@
 namespace psicarve::session {
 namespace {
 
-using Values = std::vector<double>;
+using Marks = std::vector<double>;
 
 TEST(RoundMarks, StandAtRoundNumbersWithinTheRange) {
-    EXPECT_EQ(round_marks(0.0, 120.0, 7).values, (Values{0.0, 20.0, 40.0, 60.0, 80.0, 100.0, 120.0}));
-    EXPECT_EQ(round_marks(3.7, 118.9, 7).values, (Values{20.0, 40.0, 60.0, 80.0, 100.0}));
-    EXPECT_EQ(round_marks(-12.0, 7.0, 5).values, (Values{-10.0, -5.0, 0.0, 5.0}));
+    EXPECT_EQ(round_marks(0.0, 120.0, 7).values, (Marks{0.0, 20.0, 40.0, 60.0, 80.0, 100.0, 120.0}));
+    EXPECT_EQ(round_marks(3.7, 118.9, 7).values, (Marks{20.0, 40.0, 60.0, 80.0, 100.0}));
+    EXPECT_EQ(round_marks(-12.0, 7.0, 5).values, (Marks{-10.0, -5.0, 0.0, 5.0}));
     EXPECT_EQ(round_marks(0.0, 120.0, 7).decimals, 0);
 }
 

@@ -130,6 +130,7 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_b
     const bool was_at_end = !window_.empty() && window_[last].is_at_end;
     bool is_before_at_end = false;
     bool is_on_any = false;
+    bool may_move = false;
     bool rests_here = is_at_begin;
     for (std::size_t n = 0; n <= last || is_before_at_end; ++n) {
         Live* const way = n < kMostWays ? live(n) : nullptr;
@@ -143,7 +144,9 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_b
         if ((comes || is_at_begin) && rests_here) way->hidden_begin = way->is_on ? near_share(*way, at) : 0.0;
         is_before_at_end = note_end(*way, time_ns, at, comes);
         rests_here = rests_here || way->is_at_end;
-        is_at_rest_ = is_at_rest_ || (way->is_at_end && way->demand.asks_for_rest);
+        // Not for sure where it may be on its way to there still.
+        is_at_rest_ = is_at_rest_ || (way->is_at_end && way->demand.asks_for_rest && !may_move);
+        may_move = may_move || (way->is_on && !is_before_at_end) || may_go_on(*way);
         is_on_any = is_on_any || way->is_on;
     }
     if (!is_on_any) return breach(last, was_at_end, time_ns, at);

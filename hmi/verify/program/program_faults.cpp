@@ -66,7 +66,7 @@ void ProgramRule::note_time(const Live& way) {
     all.length_mm += length_mm;
     all.tolerance_mm = std::max(all.tolerance_mm, way.demand.tolerance_mm);
     if (length_mm > 0.0) all.slowest_s_per_mm = std::max(all.slowest_s_per_mm, wanted_s / length_mm);
-    all.pulse_s = std::max(all.pulse_s, wanted_s / std::max(way.demand.way.most_pulses(), kLeastPulses));
+    all.pulse_s = std::max(all.pulse_s, pulse_seconds(way));
     const bool rests = way.demand.is_exact && !way.has_gone_on;
     if (!rests && all.length_mm < kTolerancesAStretch * all.tolerance_mm) return;
     if (!rests && way.demand.is_exact) return;
@@ -78,11 +78,13 @@ void ProgramRule::note_time(const Live& way) {
     if (!way.switched_ns) rest_before_s_ = rests ? free_rest_s(way) : 0.0;
 }
 
-/// How much of the rest at a way's end the program does not ask for: until the spindle is switched, or
-/// besides its dwells. Nobody knows how long other rests are.
-double ProgramRule::free_rest_s(const Live& way) const noexcept {
-    if (way.switched_ns) return seconds_from_ns(*way.switched_ns - way.ended_ns);
-    return std::max(seconds_from_ns(way.rested_ns) - way.dwells_s, 0.0);
+/// At the feed. Rounding makes a pulse of what is hardly a part of one.
+double ProgramRule::pulse_seconds(const Live& way) const noexcept {
+    const ProgrammedWay& along = way.demand.way;
+    const double of_parts_s = way.demand.time.programmed_s / std::max(along.most_pulses(), kLeastPulses);
+    const double of_whole_s =
+        along.is_arc() ? 0.0 : way.demand.time.stepped_s / static_cast<double>(along.whole_pulses());
+    return std::max(of_parts_s, of_whole_s) / program_.override_ratio;
 }
 
 /// Half a pulse is missing at each end, ticks are whole, and where the path does not rest, it passes an end
@@ -140,19 +142,6 @@ void ProgramRule::note_lowered() {
     if (lowered_.size() > kMostLowered) lowered_.pop_back();
 }
 
-void ProgramRule::judge_rest(const Live& way, std::int64_t time_ns) {
-    const double rested_s = seconds_from_ns(way.rested_ns + kSlackTicks * tick_ns_);
-    if (rested_s >= way.demand.dwell_s || !log_.count(1, time_ns)) return;
-    Offence offence;
-    offence.fault = "dwell";
-    offence.measured = seconds_from_ns(way.rested_ns);
-    offence.allowed = way.demand.dwell_s;
-    offence.bound = Bound::at_least;
-    offence.unit = "s";
-    offence.sentence = "the rest behind a way is too short";
-    report(time_ns, std::move(offence), way.demand.line);
-}
-
 /// Where every way that the path may be on asks for it.
 void ProgramRule::judge_spindle(std::int64_t time_ns, bool spindle_on) {
     if (spindle_on) return;
@@ -181,7 +170,9 @@ void ProgramRule::breach(std::size_t n, bool was_at_end, std::int64_t time_ns, c
     const bool is_past_all = n >= window_.size();
     const bool goes_on = is_past_all || (was_at_end && live(n + 1) == nullptr);
     const bool misses_end = !is_past_all && !was_at_end && has_missed(window_[n]);
-    if (!ways_->failure() && log_.count(1, time_ns)) {
+    if (const Live* const rest = is_past_all ? nullptr : short_rest_at(n)) {
+        judge_rest(*rest, time_ns);
+    } else if (!ways_->failure() && log_.count(1, time_ns)) {
         Offence offence = is_past_all ? Offence{} : off_the_way(window_[n], at);
         if (misses_end) offence = missed_end(window_[n]);
         if (goes_on) {
@@ -305,7 +296,9 @@ void ProgramRule::judge_end(std::int64_t time_ns) {
         ways_done_ += window_.size();
         last_ns_ = window_.back().ended_ns;
     }
-    if (is_done || live(0) == nullptr || ways_->failure() || !log_.count(1, time_ns)) return;
+    if (is_done || live(0) == nullptr || ways_->failure()) return;
+    if (const Live* const rest = short_rest_at(window_.size() - 1)) return judge_rest(*rest, time_ns);
+    if (!log_.count(1, time_ns)) return;
     Offence offence;
     offence.fault = "ends-early";
     offence.measured = static_cast<double>(ways_done_);

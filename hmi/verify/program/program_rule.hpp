@@ -94,7 +94,9 @@ private:
         bool is_at_end = false;                   ///< to the pulse, where it ends at rest
         bool has_gone_on = false;                 ///< from there, and may have been on it still
         int passes = 0;                           ///< how often it has
+        std::int64_t came_ns = 0;                 ///< when the path last came to be on it
         std::optional<std::int64_t> begun_ns;     ///< at the earliest, by work_ns()
+        std::int64_t begun_at_ns = 0;             ///< when the path came to its begin then
         std::int64_t ended_ns = 0;                ///< when its end was last passed, or last reached at rest
         std::int64_t done_ns = 0;                 ///< the same by work_ns()
         std::int64_t rested_ns = 0;               ///< there, at the longest
@@ -135,6 +137,8 @@ private:
     /// The time without the rests that the program asks for.
     std::int64_t work_ns(std::int64_t time_ns) const noexcept { return time_ns - rested_ns_; }
     void note_rested(std::int64_t time_ns, bool spindle_on) noexcept;
+    bool rests_for_sure(const Positions& at) const noexcept;
+    bool is_near_end(const Live& way, const Positions& at) const noexcept;
     void note_hidden(const Positions& at) noexcept;
     double near_share(const Live& way, const Positions& at) const noexcept;
     bool is_all_near(const Live& way, const Positions& at) const noexcept;
@@ -157,11 +161,17 @@ private:
     void note_time(const Live& way);
     void note_kind(const Live& way);
     void judge_time(const Live& last);
+    double pulse_seconds(const Live& way) const noexcept;
     double slack_seconds(const Live& last) const noexcept;
     void gather_lowered(const Live& last, double taken_s);
     void note_lowered();
     void judge_end(std::int64_t time_ns);
     void judge_rest(const Live& way, std::int64_t time_ns);
+    Offence short_rest(const Live& way) const;
+    bool is_too_short(const Live& way, std::int64_t rested_ns) const noexcept;
+    bool leaves_too_soon(std::size_t n, std::int64_t time_ns, bool is_on_before);
+    const Live* short_rest_at(std::size_t n) const noexcept;
+    static void take_back(Live& way, std::int64_t since_ns) noexcept;
     void judge_spindle(std::int64_t time_ns, bool spindle_on);
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
     Offence missed_end(const Live& way) const;

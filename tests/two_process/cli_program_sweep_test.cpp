@@ -145,6 +145,11 @@ constexpr WaysRoundRests kRoundRests[]{
      "G3 X-0.00409 Y-0.00367 I-0.00388 J0.00021\nG1 X-0.0015 Y-0.0053 Z-0.0004\n"
      "G1 X0.0040 Y-0.0060 Z-0.0015\nG1 X0.0134 Y0.0125\nG2 I-0.00576 J-0.02129 P3\nG1 X0.0156 Y0.1435\n"},
     {"400.0", kStepwise, "G2 I0.02223 J0.02384\nG4 P0.05\nG3 I-0.02782 J0.02123\nM3\n"},
+    // The circle behind M3 needs no pulse, and is gone along once the spindle has come to its speed.
+    {"400.0", kStepwise,
+     "G64 P0.01\nG1 X0.20739 Y-0.21899\nG1 X0.0310 Y0.0058\nG4 P0.05\nG64 P0.05\n"
+     "G2 X0.00371 Y0.00985 I-0.00307 J0.00678\nM3\nG2 I-0.00167 J0.00110 P5\nG1 X0.0579 Y-0.0322\n"
+     "G1 X-0.0921 Y-0.0287 C-2.933\n"},
     // A line is come to anew by the arc behind it.
     {"400.0", kStepwise,
      "G61\nG1 X0.017644 Y0.028204\nG3 X-0.00339 Y0.02779 I0.01220 J0.01559\n"

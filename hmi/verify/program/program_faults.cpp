@@ -63,6 +63,11 @@ void ProgramRule::note_time(const Live& way) {
     all.passes += way.passes;
     all.hidden_s += std::min(way.hidden_begin + way.hidden_end, 1.0) * wanted_s;
     if (way.demand.is_exact) all.rests_s += free_rest_s(way);
+    if (way.demand.is_exact && way.has_gone_on) {
+        all.spent_s += std::min(all.hidden_s, all.rests_s);
+        all.hidden_s = 0.0;
+        all.rests_s = free_rest_behind_s(way);
+    }
     all.length_mm += length_mm;
     all.tolerance_mm = std::max(all.tolerance_mm, way.demand.tolerance_mm);
     if (length_mm > 0.0) all.slowest_s_per_mm = std::max(all.slowest_s_per_mm, wanted_s / length_mm);
@@ -73,9 +78,7 @@ void ProgramRule::note_time(const Live& way) {
     judge_time(way);
     all = {};
     all.is_from_rest = rests;
-    const std::int64_t left_ns = way.ended_ns + way.rested_ns;
-    rest_before_s_ = rests ? seconds_from_ns(left_ns - std::clamp(spun_up_ns_, way.ended_ns, left_ns)) : 0.0;
-    if (!way.switched_ns) rest_before_s_ = rests ? free_rest_s(way) : 0.0;
+    rest_before_s_ = rests ? free_rest_behind_s(way) : 0.0;
 }
 
 /// At the feed. Rounding makes a pulse of what is hardly a part of one.
@@ -92,7 +95,7 @@ double ProgramRule::pulse_seconds(const Live& way) const noexcept {
 double ProgramRule::slack_seconds(const Live& way) const noexcept {
     const int passed_ends = (stretch_.is_from_rest ? 0 : 1) + (way.demand.is_exact ? 0 : 1);
     return (2.0 + stretch_.passes) * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
-           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm +
+           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm + stretch_.spent_s +
            std::min(stretch_.hidden_s, stretch_.rests_s);
 }
 

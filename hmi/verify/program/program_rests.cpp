@@ -169,6 +169,13 @@ double ProgramRule::free_rest_s(const Live& way) const noexcept {
     return std::max(seconds_from_ns(way.rested_ns) - way.dwells_s, 0.0);
 }
 
+/// The same for the ways behind it: once the spindle, if it was switched, has come to its speed.
+double ProgramRule::free_rest_behind_s(const Live& way) const noexcept {
+    if (!way.switched_ns) return free_rest_s(way);
+    const std::int64_t left_ns = way.ended_ns + way.rested_ns;
+    return seconds_from_ns(std::max<std::int64_t>(left_ns - std::max(spun_up_ns_, *way.switched_ns), 0));
+}
+
 void ProgramRule::judge_rest(const Live& way, std::int64_t time_ns) {
     if (!is_too_short(way, way.rested_ns) || !log_.count(1, time_ns)) return;
     report(time_ns, short_rest(way), way.demand.line);

@@ -124,6 +124,7 @@ private:
         int passes = 0;             ///< of ends at rest that may have been none
         double hidden_s = 0.0;      ///< that may have been gone along in rests,
         double rests_s = 0.0;       ///< which had so much room for it
+        double spent_s = 0.0;       ///< both, up to the last rest within
         double length_mm = 0.0;
         double tolerance_mm = 0.0;
         double slowest_s_per_mm = 0.0;
@@ -143,6 +144,7 @@ private:
     double near_share(const Live& way, const Positions& at) const noexcept;
     bool is_all_near(const Live& way, const Positions& at) const noexcept;
     double free_rest_s(const Live& way) const noexcept;
+    double free_rest_behind_s(const Live& way) const noexcept;
     void begin_way(Live& way, std::int64_t time_ns);
     void follow(std::int64_t time_ns, const Positions& at, bool is_at_begin = false);
     bool stays_on(Live& way, const Positions& at);

@@ -145,24 +145,6 @@ void ProgramRule::note_lowered() {
     if (lowered_.size() > kMostLowered) lowered_.pop_back();
 }
 
-/// Where every way that the path may be on asks for it.
-void ProgramRule::judge_spindle(std::int64_t time_ns, bool spindle_on) {
-    if (spindle_on) return;
-    for (const Live& way : window_) {
-        // At a rest it may be switched.
-        if (way.is_on && (!way.demand.needs_spindle || way.is_at_end)) return;
-    }
-    if (!log_.count(1, time_ns)) return;
-    Offence offence;
-    offence.fault = "spindle";
-    offence.measured = 0.0;
-    offence.allowed = 1.0;
-    offence.bound = Bound::exactly;
-    offence.unit = "on";
-    offence.sentence = "the spindle is off on a way for which the program has it on";
-    report(time_ns, std::move(offence), window_.front().demand.line);
-}
-
 /// It came near an end at rest, and not to it.
 bool ProgramRule::has_missed(const Live& way) const noexcept {
     return way.demand.is_exact && way.nearest_pulses > 0 && way.nearest_pulses <= kNearPulses;
@@ -281,7 +263,9 @@ std::optional<ProgramRule::Back> ProgramRule::back_of(const Live& way, std::size
 
 void ProgramRule::finish(std::int64_t time_ns) {
     if (!ways_) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
+    const bool is_over = phase_ == Phase::over;
     judge_end(time_ns);
+    judge_last_switches(time_ns, is_over || phase_ == Phase::over);
     note_lowered();
     phase_ = Phase::over;
     // A wrong program judges nothing, wherever the trace ends.
@@ -298,6 +282,7 @@ void ProgramRule::judge_end(std::int64_t time_ns) {
         for (const Live& way : window_) note_time(way);
         ways_done_ += window_.size();
         last_ns_ = window_.back().ended_ns;
+        phase_ = Phase::over;
     }
     if (is_done || live(0) == nullptr || ways_->failure()) return;
     if (const Live* const rest = short_rest_at(window_.size() - 1)) return judge_rest(*rest, time_ns);

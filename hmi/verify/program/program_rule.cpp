@@ -24,11 +24,14 @@ ProgramRule::ProgramRule(JudgedProgram program, const Profile& profile, OffenceL
 
 void ProgramRule::begin(const TraceStart& start) {
     tick_ns_ = start.period_ns;
+    present_ = start.present;
+    levels_ = start.initial_levels;
     this->start(start.position_pulses);
 }
 
 void ProgramRule::start(const Positions& positions) {
-    start_ = positions;
+    start_ = at_ = positions;
+    told_switches_ = 0;
     ways_.reset();
     window_.clear();
     place_ = {};
@@ -71,7 +74,9 @@ WayTolerance ProgramRule::tolerance_of(const Live& way) const noexcept {
     return {way.demand.tolerance_mm + kRounding_mm, way.demand.slack_pulses};
 }
 
-void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
+void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) {
+    const bool spindle_on = (levels & bit_of(Signal::spindle)) != 0;
+    levels_ = levels;
     if (phase_ == Phase::over) return;
     if (phase_ == Phase::waiting) {
         was_spindle_on_ = spindle_on;
@@ -94,7 +99,8 @@ void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool 
         bounds_.most_pulses[k] = std::max(bounds_.most_pulses[k], positions[k]);
     }
     follow(time_ns, positions);
-    if (phase_ == Phase::running) judge_spindle(time_ns, spindle_on);
+    at_ = positions;
+    if (phase_ == Phase::running) judge_switches(time_ns, levels);
 }
 
 /// At the end of the way before. It may have begun earlier, too.
@@ -115,7 +121,8 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_b
     std::size_t last = 0;  // that the path may have been on
     for (std::size_t n = 0; n < window_.size(); ++n) {
         if (window_[n].is_on) last = n;
-        if (std::exchange(window_[n].is_waiting, false)) window_[n].begun_ns = work_ns(time_ns);
+        // A switch at rest is no begin.
+        if (at != at_ && std::exchange(window_[n].is_waiting, false)) window_[n].begun_ns = work_ns(time_ns);
     }
     const bool was_at_end = !window_.empty() && window_[last].is_at_end;
     bool is_before_at_end = false;

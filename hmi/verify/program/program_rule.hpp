@@ -62,7 +62,7 @@ public:
     ProgramRule(JudgedProgram program, const Profile& profile, OffenceLog& log);
 
     void begin(const TraceStart& start);
-    void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) override;
+    void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override;
     void finish(std::int64_t time_ns);
 
@@ -174,7 +174,10 @@ private:
     bool leaves_too_soon(std::size_t n, std::int64_t time_ns, bool is_on_before);
     const Live* short_rest_at(std::size_t n) const noexcept;
     static void take_back(Live& way, std::int64_t since_ns) noexcept;
-    void judge_spindle(std::int64_t time_ns, bool spindle_on);
+    SignalWord wrong_switches(const Live& way, SignalWord levels) const noexcept;
+    void judge_switches(std::int64_t time_ns, SignalWord levels);
+    void judge_last_switches(std::int64_t time_ns, bool is_done);
+    Offence wrong_switch(Signal wire, bool is_on, const Live* way) const;
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
     Offence missed_end(const Live& way) const;
     Offence off_the_way(const Live& way, const Positions& at) const;
@@ -209,6 +212,10 @@ private:
     std::int64_t rested_ns_ = 0;  ///< at ends where the program asks for it, until then
     bool is_at_rest_ = false;     ///< since then
     bool was_spindle_on_ = false;
+    Positions at_{};                   ///< at the last instant
+    SignalWord levels_ = 0;            ///< then
+    SignalWord present_ = 0;           ///< wires that the trace has
+    SignalWord told_switches_ = 0;     ///< that are wrong, and were told
     std::int64_t spun_up_ns_ = 0;      ///< when the spindle was last switched on and had come to its speed
     double rest_before_s_ = INFINITY;  ///< the next stretch, and free for it
     std::uint64_t ways_done_ = 0;

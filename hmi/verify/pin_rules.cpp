@@ -62,8 +62,8 @@ void PinRules::pins(const TraceEvent& event) {
     if ((changed & kPermissionMask) != 0) {
         permission_.levels_changed(before, levels_, instant_ns_);
         motors_.levels_changed(before, levels_, instant_ns_);
-        unsettled_ = unsettled_ || (changed & spindle_bit_) != 0;
     }
+    unsettled_ = unsettled_ || (changed & (spindle_bit_ | kSwitchedMask)) != 0;
     for (SignalWord turned = (changed & kDirMask) >> kAxisCount; turned != 0; turned &= turned - 1)
         timing_.direction_changed(static_cast<Axis>(std::countr_zero(turned)), instant_ns_, place_);
     for (SignalWord fell = changed & ~levels_ & kStepMask; fell != 0; fell &= fell - 1)
@@ -74,7 +74,7 @@ void PinRules::pins(const TraceEvent& event) {
 
 void PinRules::settle() {
     if (!std::exchange(unsettled_, false)) return;
-    judge_.settle(instant_ns_, positions_, spindle_on());
+    judge_.settle(instant_ns_, positions_, levels());
 }
 
 void PinRules::redefine(const TraceEvent& event) {

@@ -20,8 +20,8 @@ namespace psicarve::verify {
 class PositionJudge {
 public:
     virtual ~PositionJudge() = default;
-    /// After each instant in which an axis moved or the spindle was switched.
-    virtual void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) = 0;
+    /// After each instant in which an axis moved, or the spindle or a switched output was switched.
+    virtual void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) = 0;
     /// Homing defined the positions anew.
     virtual void redefine(std::int64_t time_ns, const Positions& positions) = 0;
 };
@@ -42,7 +42,11 @@ public:
     /// With planner "angle" speeds may jump here.
     void point_reached();
 
-    bool spindle_on() const noexcept { return (levels_ & spindle_bit_) != 0 || spindle_bit_ == 0; }
+    /// All wires, as they are now; a spindle that is not in the trace is on.
+    SignalWord levels() const noexcept {
+        return spindle_bit_ == 0 ? levels_ | bit_of(Signal::spindle) : levels_;
+    }
+    bool spindle_on() const noexcept { return (levels() & bit_of(Signal::spindle)) != 0; }
     const Positions& positions() const noexcept { return positions_; }
     const std::array<std::uint64_t, kAxisCount>& pulses() const noexcept { return pulses_; }
     std::int64_t instant_ns() const noexcept { return instant_ns_; }
@@ -62,7 +66,7 @@ private:
     SignalWord levels_ = 0;
     SignalWord spindle_bit_ = 0;  ///< 0: not in the trace
     std::int64_t instant_ns_ = 0;
-    bool unsettled_ = false;  ///< the instant moved an axis or switched the spindle
+    bool unsettled_ = false;  ///< the instant moved an axis or switched the spindle or an output
     Positions positions_{};
     std::array<std::uint64_t, kAxisCount> pulses_{};
     std::uint64_t events_ = 0;

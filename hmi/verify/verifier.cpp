@@ -24,7 +24,7 @@ struct Verifier::State : PositionJudge {
           is_whole_job(layer_count == geometry.layer_count()),
           points_total(geometry.total_points()) {}
 
-    void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) override;
+    void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override {
         to_path.redefine(time_ns, positions);
     }
@@ -41,7 +41,8 @@ struct Verifier::State : PositionJudge {
     Follower follower;
 };
 
-void Verifier::State::settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
+void Verifier::State::settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) {
+    const bool spindle_on = (levels & bit_of(Signal::spindle)) != 0;
     const std::uint64_t visited = path.points_visited();
     to_path.settle(time_ns, positions, spindle_on);
     if (follower) follower(positions, spindle_on);

@@ -151,7 +151,7 @@ void RecordProgram::take_way(const ProgramStep& step) {
 // From rest to rest.
 void RecordProgram::take_stepped(const ProgramStep& step) {
     come_to_rest();
-    longer_by_ = 0.0;
+    longer_by_s_ = 0.0;
     const Pulses4 from = points_.back().pulses;
     const bool halts = is_single_ && step.ends_block;
     if (step.target_pulses == from && step.kind != MotionKind::arc) {

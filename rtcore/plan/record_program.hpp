@@ -56,7 +56,7 @@ private:
     struct Way {
         RecordPlace place;
         Timings least_pace2;
-        double longer_by;  ///< of u: the ways since the point before, by rounding; on the last point of each
+        double longer_by_s;  ///< the ways since the point before, by rounding; on the last point of each
     };
 
     bool make_blocks();
@@ -78,6 +78,7 @@ private:
     void drop_points(std::size_t count);
     void look_at_spans();
     void set_paces();
+    double staircase_share(const std::vector<double>& pace, std::size_t span) const;
     void set_limits();
     bool decide_part(std::size_t to);
     void plan_stretch(std::size_t first, std::size_t last);
@@ -105,7 +106,7 @@ private:
     std::uint64_t sequence_ = 0;  ///< of that step
     Pulses4 asked_pulses_;        ///< where the last way of the program ends
     Lanes rounded_off_pulses_{};  ///< and what its end lost by that
-    double longer_by_ = 0.0;      ///< of ways behind the last point
+    double longer_by_s_ = 0.0;    ///< of ways behind the last point
 
     // A way by point-by-point comparison: its blocks come one by one, behind blocks_.
     std::optional<SteppedProgram> stepped_;

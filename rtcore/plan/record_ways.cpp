@@ -29,6 +29,8 @@ constexpr double kLongestCurved_s = 300.0;
 // has, and so much of the difference may be the rounding of the two ends alone.
 constexpr double kPulsesAround = 16.0;
 constexpr double kEndPulses = 1.0;
+// Ways around it whose times by their lengths differ by more are no part of the same staircase.
+constexpr double kPacesAlike = 3.0;
 // Of a way that has hardly a length before rounding a pulse takes so many times as long as the way at most,
 // and by that no longer than this.
 constexpr double kMostStretch = 4096.0;
@@ -83,12 +85,14 @@ ProgramStep RecordProgram::at_the_programs_pace(const ProgramStep& step) {
     if (step.kind == MotionKind::arc) return paced;
     const double rounded_s = seconds_along(limits_, rounded);
     const double programmed_s = seconds_along(limits_, programmed);
-    // Between rests alone there are staircases; stepped ways are no part of any.
-    if (step.shape == cycle::OrderShape::straight) longer_by_ += rounded_s - programmed_s;
     if (rounded_s > 0.0) {
         const double stretched_s = step.seconds * std::min(rounded_s / programmed_s, kMostStretch);
         paced.seconds = std::min(stretched_s, std::max(step.seconds, kLongestStretched_s));
+    } else {
+        paced.seconds = 0.0;
     }
+    // Between rests alone there are staircases; stepped ways are no part of any.
+    if (step.shape == cycle::OrderShape::straight) longer_by_s_ += paced.seconds - step.seconds;
     return paced;
 }
 
@@ -143,7 +147,7 @@ void RecordProgram::add_way(const ProgramStep& step) {
     }
     points_.push_back({step.target_pulses, 0, 0, false});
     ways_.resize(points_.size(), {{step.line, step.sequence}, least_pace2(step, first), 0.0});
-    ways_.back().longer_by = std::exchange(longer_by_, 0.0);
+    ways_.back().longer_by_s = std::exchange(longer_by_s_, 0.0);
 }
 
 // Along the way, points from `first` on, u passes at most as fast as its least time allows.
@@ -155,28 +159,43 @@ Timings RecordProgram::least_pace2(const ProgramStep& step, std::size_t first) c
     const double quickest = step.is_rapid ? 1.0 : 1.0 / kFeedFactor[1];
     return {pace * pace, quickest * quickest * pace * pace};
 }
+
 // Points a pulse or two apart lie on a staircase, which is longer than the way that the program has by up to
-// 41 %. The curve hardly follows it, but u does: it passes so much faster.
+// 41 %. The curve hardly follows it, but u does: it passes so much faster. Not beyond where the program is
+// much slower or quicker: what the staircase of a quick way is longer would make a slow way beside it
+// quicker.
 void RecordProgram::set_paces() {
-    const double pulse = longest_pulse(limits_);
-    std::vector<double> length{0.0};
-    std::vector<double> longer_by{0.0};
+    std::vector<double> pace;
+    for (std::size_t i = 0; i < spans_.size(); ++i) pace.push_back(std::sqrt(ways_[i + 1].least_pace2[0]));
     for (std::size_t i = 0; i < spans_.size(); ++i) {
-        length.push_back(length.back() + spans_[i].length);
-        longer_by.push_back(longer_by.back() + ways_[i + 1].longer_by);
-    }
-    std::size_t first = 0;
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < spans_.size(); ++i) {
-        while (length[i] - length[first + 1] >= kPulsesAround * pulse) ++first;
-        end = std::max(end, i + 1);
-        while (end < spans_.size() && length[end] - length[i + 1] < kPulsesAround * pulse) ++end;
-        const double rounding = longer_by[end] - longer_by[first] - kEndPulses * pulse;
-        const double share =
-            std::max(kLeastPaceShare, 1.0 - std::max(0.0, rounding) / (length[end] - length[first]));
+        const double share = staircase_share(pace, i);
         for (std::size_t timing = 0; timing < kTimingCount; ++timing)
             spans_[i].least_pace2[timing] = share * share * ways_[i + 1].least_pace2[timing];
     }
+}
+
+// The time that the program asks for around a span, as a share of what its staircase takes there.
+double RecordProgram::staircase_share(const std::vector<double>& pace, std::size_t span) const {
+    const double pulse = longest_pulse(limits_);
+    double most_pace = 0.0;
+    double asked_s = 0.0;
+    double longer_by_s = 0.0;
+    const auto add = [&](std::size_t i) {
+        if (pace[i] > kPacesAlike * pace[span] || pace[span] > kPacesAlike * pace[i]) return false;
+        most_pace = std::max(most_pace, pace[i]);
+        asked_s += pace[i] * spans_[i].length;
+        longer_by_s += ways_[i + 1].longer_by_s;
+        return true;
+    };
+    add(span);
+    double length = 0.0;
+    for (std::size_t i = span; i-- > 0 && length < kPulsesAround * pulse && add(i);)
+        length += spans_[i].length;
+    length = 0.0;
+    for (std::size_t i = span + 1; i < spans_.size() && length < kPulsesAround * pulse && add(i); ++i)
+        length += spans_[i].length;
+    const double rounding_s = longer_by_s - kEndPulses * pulse * most_pace;
+    return rounding_s > 0.0 ? std::max(kLeastPaceShare, 1.0 - rounding_s / asked_s) : 1.0;
 }
 
 }  // namespace psicarve::plan

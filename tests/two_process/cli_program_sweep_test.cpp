@@ -41,13 +41,13 @@ protected:
         std::snprintf(text.data(), text.size(), form, first_mm, second_mm);
         return text.data();
     }
-    /// Ways from a pulse's size on. `pulse_mm`: of the machine.
+    /// Ways from a part of a pulse on. `pulse_mm`: of the machine.
     RandomProgram random_program(double pulse_mm) {
         RandomProgram made;
         made.lines.push_back(random_() % 2 == 0 ? "G64 P0.01" : "G64 P0.03");
         for (int n = 0; n < 14; ++n) {
             const double angle_rad = between(0.0, 2.0 * kPi);
-            const double size_mm = pulse_mm * std::pow(10.0, between(0.3, 1.5));
+            const double size_mm = pulse_mm * std::pow(10.0, between(-0.7, 1.5));
             const double across_mm = size_mm * std::cos(angle_rad);
             const double up_mm = size_mm * std::sin(angle_rad);
             if (random_() % 5 == 0) made.lines.push_back(random_() % 2 == 0 ? "G4 P0.05" : "G61");
@@ -84,8 +84,8 @@ protected:
         said_ = judged.out;
         return judged.exit_code == 0;
     }
-    void write_profile(const std::string& pulses_per_mm) {
-        std::string text;
+    void write_profile(const std::string& pulses_per_mm, const std::string& more = {}) {
+        std::string text = more;
         for (const char* axis : {"r1", "r2", "y"})
             text += "[axis." + std::string{axis} + "]\npulses_per_mm = " + pulses_per_mm + "\n";
         write("machine.toml", text);
@@ -120,6 +120,48 @@ TEST_F(ProgramSweep, IsRightAsItRunsAndWrongForOtherPrograms) {
             ASSERT_TRUE(runs(other.text(kFeed_mm_min))) << said_;
             EXPECT_FALSE(is_right_for(text)) << "a way left out\n" << text;
         }
+    }
+}
+
+/// Small ways that pass the place of a rest before it, or behind it.
+struct WaysRoundRests {
+    const char* pulses_per_mm;
+    const char* more;
+    const char* text;
+};
+constexpr const char* kBegin = "G21 G90 G94 G17 F60\nG64 P0.05\nG0 X40 Z41 Y10 C0\nG91\n";
+constexpr const char* kStepwise = "[gcode]\ninterpolation = \"stepwise\"\n";
+constexpr WaysRoundRests kRoundRests[]{
+    // Each turn of the second circle comes by where the machine rested.
+    {"50.0", "",
+     "G64 P0.01\nG1 X0.8929 Y-1.0385\nG1 X-1.1943 Y-1.2670\nG1 X0.0150 Y-0.0208\nG4 P0.05\n"
+     "G3 X-0.00618 Y-0.00716 I-0.00309 J-0.00358\nG2 I0.00594 J0.00694 P5\n"
+     "G2 X0.05596 Y-0.03354 I0.02798 J-0.01677\n"},
+    // The circle comes by the end of the line behind it.
+    {"50.0", "",
+     "F120 G61\nG1 X-0.2483 Y-0.3200\nG3 I-0.14687 J-0.03942 C-48.654 Z-0.1450\nG1 X0.0308 Y0.0009\n"
+     "G1 X-0.0044 Y0.0044\nG3 I-0.01395 J-0.00966\nG1 X-0.0158 Y-0.0178 Z0.0129\nG4 P0.05\n"},
+    {"50.0", kStepwise,
+     "G3 X-0.00409 Y-0.00367 I-0.00388 J0.00021\nG1 X-0.0015 Y-0.0053 Z-0.0004\n"
+     "G1 X0.0040 Y-0.0060 Z-0.0015\nG1 X0.0134 Y0.0125\nG2 I-0.00576 J-0.02129 P3\nG1 X0.0156 Y0.1435\n"},
+    {"400.0", kStepwise, "G2 I0.02223 J0.02384\nG4 P0.05\nG3 I-0.02782 J0.02123\nM3\n"},
+    // The circle behind M3 needs no pulse, and is gone along once the spindle has come to its speed.
+    {"400.0", kStepwise,
+     "G64 P0.01\nG1 X0.20739 Y-0.21899\nG1 X0.0310 Y0.0058\nG4 P0.05\nG64 P0.05\n"
+     "G2 X0.00371 Y0.00985 I-0.00307 J0.00678\nM3\nG2 I-0.00167 J0.00110 P5\nG1 X0.0579 Y-0.0322\n"
+     "G1 X-0.0921 Y-0.0287 C-2.933\n"},
+    // A line is come to anew by the arc behind it.
+    {"400.0", kStepwise,
+     "G61\nG1 X0.017644 Y0.028204\nG3 X-0.00339 Y0.02779 I0.01220 J0.01559\n"
+     "G2 X0.03384 Y0.01012 I0.01692 J0.00506\nG1 X-0.0086 Y-0.0015\n"
+     "G2 X0.00955 Y-0.00037 I0.00496 J0.00459\nG2 I0.00230 J0.00086\nG2 I0.01971 J0.03595\n"},
+};
+
+TEST_F(ProgramSweep, IsRightOnSmallWaysRoundRests) {
+    for (const WaysRoundRests& ways : kRoundRests) {
+        write_profile(ways.pulses_per_mm, ways.more);
+        const std::string text = std::string{kBegin} + ways.text + "M2\n";
+        EXPECT_TRUE(runs(text)) << text << said_;
     }
 }
 

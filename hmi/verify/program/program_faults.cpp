@@ -63,26 +63,31 @@ void ProgramRule::note_time(const Live& way) {
     all.passes += way.passes;
     all.hidden_s += std::min(way.hidden_begin + way.hidden_end, 1.0) * wanted_s;
     if (way.demand.is_exact) all.rests_s += free_rest_s(way);
+    if (way.demand.is_exact && way.has_gone_on) {
+        all.spent_s += std::min(all.hidden_s, all.rests_s);
+        all.hidden_s = 0.0;
+        all.rests_s = free_rest_behind_s(way);
+    }
     all.length_mm += length_mm;
     all.tolerance_mm = std::max(all.tolerance_mm, way.demand.tolerance_mm);
     if (length_mm > 0.0) all.slowest_s_per_mm = std::max(all.slowest_s_per_mm, wanted_s / length_mm);
-    all.pulse_s = std::max(all.pulse_s, wanted_s / std::max(way.demand.way.most_pulses(), kLeastPulses));
+    all.pulse_s = std::max(all.pulse_s, pulse_seconds(way));
     const bool rests = way.demand.is_exact && !way.has_gone_on;
     if (!rests && all.length_mm < kTolerancesAStretch * all.tolerance_mm) return;
     if (!rests && way.demand.is_exact) return;
     judge_time(way);
     all = {};
     all.is_from_rest = rests;
-    const std::int64_t left_ns = way.ended_ns + way.rested_ns;
-    rest_before_s_ = rests ? seconds_from_ns(left_ns - std::clamp(spun_up_ns_, way.ended_ns, left_ns)) : 0.0;
-    if (!way.switched_ns) rest_before_s_ = rests ? free_rest_s(way) : 0.0;
+    rest_before_s_ = rests ? free_rest_behind_s(way) : 0.0;
 }
 
-/// How much of the rest at a way's end the program does not ask for: until the spindle is switched, or
-/// besides its dwells. Nobody knows how long other rests are.
-double ProgramRule::free_rest_s(const Live& way) const noexcept {
-    if (way.switched_ns) return seconds_from_ns(*way.switched_ns - way.ended_ns);
-    return std::max(seconds_from_ns(way.rested_ns) - way.dwells_s, 0.0);
+/// At the feed. Rounding makes a pulse of what is hardly a part of one.
+double ProgramRule::pulse_seconds(const Live& way) const noexcept {
+    const ProgrammedWay& along = way.demand.way;
+    const double of_parts_s = way.demand.time.programmed_s / std::max(along.most_pulses(), kLeastPulses);
+    const double of_whole_s =
+        along.is_arc() ? 0.0 : way.demand.time.stepped_s / static_cast<double>(along.whole_pulses());
+    return std::max(of_parts_s, of_whole_s) / program_.override_ratio;
 }
 
 /// Half a pulse is missing at each end, ticks are whole, and where the path does not rest, it passes an end
@@ -90,7 +95,7 @@ double ProgramRule::free_rest_s(const Live& way) const noexcept {
 double ProgramRule::slack_seconds(const Live& way) const noexcept {
     const int passed_ends = (stretch_.is_from_rest ? 0 : 1) + (way.demand.is_exact ? 0 : 1);
     return (2.0 + stretch_.passes) * stretch_.pulse_s + seconds_from_ns(kSlackTicks * tick_ns_) +
-           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm +
+           passed_ends * stretch_.tolerance_mm * stretch_.slowest_s_per_mm + stretch_.spent_s +
            std::min(stretch_.hidden_s, stretch_.rests_s);
 }
 
@@ -140,37 +145,6 @@ void ProgramRule::note_lowered() {
     if (lowered_.size() > kMostLowered) lowered_.pop_back();
 }
 
-void ProgramRule::judge_rest(const Live& way, std::int64_t time_ns) {
-    const double rested_s = seconds_from_ns(way.rested_ns + kSlackTicks * tick_ns_);
-    if (rested_s >= way.demand.dwell_s || !log_.count(1, time_ns)) return;
-    Offence offence;
-    offence.fault = "dwell";
-    offence.measured = seconds_from_ns(way.rested_ns);
-    offence.allowed = way.demand.dwell_s;
-    offence.bound = Bound::at_least;
-    offence.unit = "s";
-    offence.sentence = "the rest behind a way is too short";
-    report(time_ns, std::move(offence), way.demand.line);
-}
-
-/// Where every way that the path may be on asks for it.
-void ProgramRule::judge_spindle(std::int64_t time_ns, bool spindle_on) {
-    if (spindle_on) return;
-    for (const Live& way : window_) {
-        // At a rest it may be switched.
-        if (way.is_on && (!way.demand.needs_spindle || way.is_at_end)) return;
-    }
-    if (!log_.count(1, time_ns)) return;
-    Offence offence;
-    offence.fault = "spindle";
-    offence.measured = 0.0;
-    offence.allowed = 1.0;
-    offence.bound = Bound::exactly;
-    offence.unit = "on";
-    offence.sentence = "the spindle is off on a way for which the program has it on";
-    report(time_ns, std::move(offence), window_.front().demand.line);
-}
-
 /// It came near an end at rest, and not to it.
 bool ProgramRule::has_missed(const Live& way) const noexcept {
     return way.demand.is_exact && way.nearest_pulses > 0 && way.nearest_pulses <= kNearPulses;
@@ -181,7 +155,9 @@ void ProgramRule::breach(std::size_t n, bool was_at_end, std::int64_t time_ns, c
     const bool is_past_all = n >= window_.size();
     const bool goes_on = is_past_all || (was_at_end && live(n + 1) == nullptr);
     const bool misses_end = !is_past_all && !was_at_end && has_missed(window_[n]);
-    if (!ways_->failure() && log_.count(1, time_ns)) {
+    if (const Live* const rest = is_past_all ? nullptr : short_rest_at(n)) {
+        judge_rest(*rest, time_ns);
+    } else if (!ways_->failure() && log_.count(1, time_ns)) {
         Offence offence = is_past_all ? Offence{} : off_the_way(window_[n], at);
         if (misses_end) offence = missed_end(window_[n]);
         if (goes_on) {
@@ -287,7 +263,9 @@ std::optional<ProgramRule::Back> ProgramRule::back_of(const Live& way, std::size
 
 void ProgramRule::finish(std::int64_t time_ns) {
     if (!ways_) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
+    const bool is_over = phase_ == Phase::over;
     judge_end(time_ns);
+    judge_last_switches(time_ns, is_over || phase_ == Phase::over);
     note_lowered();
     phase_ = Phase::over;
     // A wrong program judges nothing, wherever the trace ends.
@@ -304,8 +282,11 @@ void ProgramRule::judge_end(std::int64_t time_ns) {
         for (const Live& way : window_) note_time(way);
         ways_done_ += window_.size();
         last_ns_ = window_.back().ended_ns;
+        phase_ = Phase::over;
     }
-    if (is_done || live(0) == nullptr || ways_->failure() || !log_.count(1, time_ns)) return;
+    if (is_done || live(0) == nullptr || ways_->failure()) return;
+    if (const Live* const rest = short_rest_at(window_.size() - 1)) return judge_rest(*rest, time_ns);
+    if (!log_.count(1, time_ns)) return;
     Offence offence;
     offence.fault = "ends-early";
     offence.measured = static_cast<double>(ways_done_);

@@ -24,11 +24,14 @@ ProgramRule::ProgramRule(JudgedProgram program, const Profile& profile, OffenceL
 
 void ProgramRule::begin(const TraceStart& start) {
     tick_ns_ = start.period_ns;
+    present_ = start.present;
+    levels_ = start.initial_levels;
     this->start(start.position_pulses);
 }
 
 void ProgramRule::start(const Positions& positions) {
-    start_ = positions;
+    start_ = at_ = positions;
+    told_switches_ = 0;
     ways_.reset();
     window_.clear();
     place_ = {};
@@ -71,7 +74,9 @@ WayTolerance ProgramRule::tolerance_of(const Live& way) const noexcept {
     return {way.demand.tolerance_mm + kRounding_mm, way.demand.slack_pulses};
 }
 
-void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
+void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) {
+    const bool spindle_on = (levels & bit_of(Signal::spindle)) != 0;
+    levels_ = levels;
     if (phase_ == Phase::over) return;
     if (phase_ == Phase::waiting) {
         was_spindle_on_ = spindle_on;
@@ -94,25 +99,16 @@ void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, bool 
         bounds_.most_pulses[k] = std::max(bounds_.most_pulses[k], positions[k]);
     }
     follow(time_ns, positions);
-    if (phase_ == Phase::running) judge_spindle(time_ns, spindle_on);
-}
-
-/// Rests that the program asks for are no time of the ways beside them: a spindle's spin-up would hide the
-/// fastest of arcs.
-void ProgramRule::note_rested(std::int64_t time_ns, bool spindle_on) noexcept {
-    if (is_at_rest_) rested_ns_ += time_ns - seen_ns_;
-    seen_ns_ = time_ns;
-    is_at_rest_ = false;
-    if (spindle_on == was_spindle_on_) return;
-    was_spindle_on_ = spindle_on;
-    if (spindle_on) spun_up_ns_ = time_ns + std::llround(profile_.job.spindle_spinup_s * 1e9);
-    for (Live& way : window_)
-        if (way.is_at_end && !way.switched_ns) way.switched_ns = time_ns;
+    at_ = positions;
+    if (phase_ == Phase::running) judge_switches(time_ns, levels);
 }
 
 /// At the end of the way before. It may have begun earlier, too.
 void ProgramRule::begin_way(Live& way, std::int64_t time_ns) {
-    if (!way.begun_ns) way.begun_ns = work_ns(time_ns);
+    if (!way.begun_ns) {
+        way.begun_ns = work_ns(time_ns);
+        way.begun_at_ns = time_ns;
+    }
     if (!way.demand.way.is_arc() || !way.is_on) way.share = {};
     if (!way.demand.way.is_arc()) return;
     for (Reach& reach : way.reach) {
@@ -125,69 +121,41 @@ void ProgramRule::follow(std::int64_t time_ns, const Positions& at, bool is_at_b
     std::size_t last = 0;  // that the path may have been on
     for (std::size_t n = 0; n < window_.size(); ++n) {
         if (window_[n].is_on) last = n;
-        if (std::exchange(window_[n].is_waiting, false)) window_[n].begun_ns = work_ns(time_ns);
+        // A switch at rest is no begin.
+        if (at != at_ && std::exchange(window_[n].is_waiting, false)) window_[n].begun_ns = work_ns(time_ns);
     }
     const bool was_at_end = !window_.empty() && window_[last].is_at_end;
     bool is_before_at_end = false;
     bool is_on_any = false;
     bool rests_here = is_at_begin;
+    std::optional<std::int64_t> too_short_since_ns;
     for (std::size_t n = 0; n <= last || is_before_at_end; ++n) {
         Live* const way = n < kMostWays ? live(n) : nullptr;
         if (way == nullptr) break;
         const bool comes = is_before_at_end;
         const bool is_from_rest = comes && window_[n - 1].demand.is_exact;
+        if (too_short_since_ns) take_back(*way, *too_short_since_ns);
+        const bool was_on = way->is_on;
+        const bool had_begun = way->begun_ns.has_value();
         if (comes) begin_way(*way, time_ns);
-        way->is_on = (way->is_on || comes) && stays_on(*way, at);
+        way->is_on = (was_on || comes) && stays_on(*way, at);
+        if (way->is_on && !was_on) way->came_ns = time_ns;
         // From rest it begins with the pulse that leaves it.
-        if (is_from_rest && way->is_on) way->is_waiting = true;
+        if (is_from_rest && way->is_on && !had_begun) way->is_waiting = true;
+        if (!way->is_on && !had_begun) way->begun_ns.reset();
         if ((comes || is_at_begin) && rests_here) way->hidden_begin = way->is_on ? near_share(*way, at) : 0.0;
+        const bool rested = way->is_at_end;
         is_before_at_end = note_end(*way, time_ns, at, comes);
+        if (rested && !way->is_at_end && leaves_too_soon(n, time_ns, is_on_any))
+            too_short_since_ns = way->ended_ns;
         rests_here = rests_here || way->is_at_end;
-        is_at_rest_ = is_at_rest_ || (way->is_at_end && way->demand.asks_for_rest);
         is_on_any = is_on_any || way->is_on;
     }
     if (!is_on_any) return breach(last, was_at_end, time_ns, at);
+    is_at_rest_ = rests_for_sure(at);
     note_hidden(at);
     leave_behind();
     if (window_.front().is_at_end || !window_.front().demand.is_exact) last_ns_ = time_ns;
-}
-
-/// Which part of a way, from its begin, the path may go along without leaving the place. A line is gone
-/// along to its end, or by its pulses.
-double ProgramRule::near_share(const Live& way, const Positions& at) const noexcept {
-    if (way.demand.way.is_arc()) return std::min(way.share[0], way.share[1]);
-    return is_all_near(way, at) ? 1.0 : 0.0;
-}
-
-bool ProgramRule::is_all_near(const Live& way, const Positions& at) const noexcept {
-    if (way.demand.is_exact) return false;
-    for (std::size_t head = 0; head < kHeadCount; ++head) {
-        const ProgrammedWay& along = way.demand.way;
-        if (along.from_mm(along.from(), head, at, way.demand.slack_pulses) > tolerance_of(way).mm)
-            return false;
-        if (along.from_mm(along.to(), head, at, way.demand.slack_pulses) > tolerance_of(way).mm) return false;
-    }
-    return true;
-}
-
-/// The same, up to their ends, of ways that lead to where the path rests now, if it does.
-void ProgramRule::note_hidden(const Positions& at) noexcept {
-    std::size_t leading = 0;
-    double dwells_s = 0.0;
-    for (std::size_t n = 0; n < window_.size(); ++n) {
-        if (!window_[n].is_at_end) continue;
-        leading = n + 1;
-        if (window_[n].passes == 0) dwells_s += window_[n].demand.dwell_s;
-    }
-    for (std::size_t n = 0; n < leading; ++n) {
-        Live& way = window_[n];
-        if (!way.is_on) continue;
-        if (way.is_at_end) way.dwells_s = dwells_s + (way.passes > 0 ? way.demand.dwell_s : 0.0);
-        double share = is_all_near(way, at) ? 1.0 : 0.0;
-        if (way.demand.way.is_arc())
-            share = 1.0 - std::max(way.reach[0].front().least, way.reach[1].front().least);
-        way.hidden_end = std::max(way.hidden_end, share);
-    }
 }
 
 bool ProgramRule::stays_on(Live& way, const Positions& at) {
@@ -253,67 +221,22 @@ bool ProgramRule::has_come(const Live& way) const noexcept {
     return true;
 }
 
+bool ProgramRule::is_near_end(const Live& way, const Positions& at) const noexcept {
+    if (way.demand.is_exact) return way.is_at_end;
+    if (!has_come(way)) return false;
+    const ProgrammedWay& along = way.demand.way;
+    for (std::size_t head = 0; head < kHeadCount; ++head)
+        if (along.from_mm(along.to(), head, at, way.demand.slack_pulses) > tolerance_of(way).mm) return false;
+    return true;
+}
+
 /// Whether the path is on the way, and now at its end.
 bool ProgramRule::note_end(Live& way, std::int64_t time_ns, const Positions& at, bool comes) {
     if (way.demand.is_exact) return note_rest(way, time_ns, at, comes);
-    if (!way.is_on || !has_come(way)) return false;
-    for (std::size_t head = 0; head < kHeadCount; ++head)
-        if (way.demand.way.from_mm(way.demand.way.to(), head, at, way.demand.slack_pulses) >
-            tolerance_of(way).mm)
-            return false;
+    if (!way.is_on || !is_near_end(way, at)) return false;
     way.ended_ns = time_ns;
     way.done_ns = work_ns(time_ns);
     return true;
-}
-
-/// Whether the path may leave the end to the pulse and still be on the way: on arcs so small that it may not
-/// have come far, or may have turns to go.
-bool ProgramRule::may_go_on(const Live& way) const noexcept {
-    if (!way.is_on || !way.demand.way.is_arc()) return false;
-    for (std::size_t head = 0; head < kHeadCount; ++head) {
-        const double left = 1.0 - way.reach[head].front().least;
-        if (left < 0.5 && left <= way.demand.way.back_share(head, tolerance_of(way))) return false;
-    }
-    return true;
-}
-
-/// The same where it ends at rest. `comes`: it may begin only now, where it is short.
-bool ProgramRule::note_rest(Live& way, std::int64_t time_ns, const Positions& at, bool comes) {
-    std::int64_t off = 0;
-    int axes = 0;
-    Axis axis = Axis::r1;
-    for (const Axis other : kAllAxes) {
-        const std::int64_t pulses =
-            std::abs(at[index_of(other)] - way.demand.way.end_pulses()[index_of(other)]);
-        if (pulses > 0) ++axes;
-        if (pulses <= off) continue;
-        off = pulses;
-        axis = other;
-    }
-    const bool is_there = way.is_on && has_come(way);
-    if (is_there && std::pair{off, axes} <= std::pair{way.nearest_pulses, way.nearest_axes}) {
-        way.nearest_pulses = off;
-        way.nearest_axes = axes;
-        way.nearest_axis = axis;
-    }
-    const bool was_at_end = std::exchange(way.is_at_end, is_there && off == 0);
-    if (way.is_at_end && !was_at_end) {
-        way.ended_ns = time_ns;
-        way.done_ns = work_ns(time_ns);
-        way.has_gone_on = false;
-        way.switched_ns.reset();
-    }
-    if (was_at_end && !way.is_at_end) {
-        way.rested_ns = std::max(way.rested_ns, time_ns - way.ended_ns);
-        way.has_gone_on = may_go_on(way) || (comes && way.is_on);
-        if (way.has_gone_on) {
-            ++way.passes;
-        } else {
-            judge_rest(way, time_ns);
-            way.is_on = false;
-        }
-    }
-    return way.is_at_end;
 }
 
 /// Ways that the path can no longer be on are done.

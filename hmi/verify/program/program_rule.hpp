@@ -62,7 +62,7 @@ public:
     ProgramRule(JudgedProgram program, const Profile& profile, OffenceLog& log);
 
     void begin(const TraceStart& start);
-    void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on) override;
+    void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override;
     void finish(std::int64_t time_ns);
 
@@ -94,7 +94,9 @@ private:
         bool is_at_end = false;                   ///< to the pulse, where it ends at rest
         bool has_gone_on = false;                 ///< from there, and may have been on it still
         int passes = 0;                           ///< how often it has
+        std::int64_t came_ns = 0;                 ///< when the path last came to be on it
         std::optional<std::int64_t> begun_ns;     ///< at the earliest, by work_ns()
+        std::int64_t begun_at_ns = 0;             ///< when the path came to its begin then
         std::int64_t ended_ns = 0;                ///< when its end was last passed, or last reached at rest
         std::int64_t done_ns = 0;                 ///< the same by work_ns()
         std::int64_t rested_ns = 0;               ///< there, at the longest
@@ -122,6 +124,7 @@ private:
         int passes = 0;             ///< of ends at rest that may have been none
         double hidden_s = 0.0;      ///< that may have been gone along in rests,
         double rests_s = 0.0;       ///< which had so much room for it
+        double spent_s = 0.0;       ///< both, up to the last rest within
         double length_mm = 0.0;
         double tolerance_mm = 0.0;
         double slowest_s_per_mm = 0.0;
@@ -135,10 +138,13 @@ private:
     /// The time without the rests that the program asks for.
     std::int64_t work_ns(std::int64_t time_ns) const noexcept { return time_ns - rested_ns_; }
     void note_rested(std::int64_t time_ns, bool spindle_on) noexcept;
+    bool rests_for_sure(const Positions& at) const noexcept;
+    bool is_near_end(const Live& way, const Positions& at) const noexcept;
     void note_hidden(const Positions& at) noexcept;
     double near_share(const Live& way, const Positions& at) const noexcept;
     bool is_all_near(const Live& way, const Positions& at) const noexcept;
     double free_rest_s(const Live& way) const noexcept;
+    double free_rest_behind_s(const Live& way) const noexcept;
     void begin_way(Live& way, std::int64_t time_ns);
     void follow(std::int64_t time_ns, const Positions& at, bool is_at_begin = false);
     bool stays_on(Live& way, const Positions& at);
@@ -157,12 +163,21 @@ private:
     void note_time(const Live& way);
     void note_kind(const Live& way);
     void judge_time(const Live& last);
+    double pulse_seconds(const Live& way) const noexcept;
     double slack_seconds(const Live& last) const noexcept;
     void gather_lowered(const Live& last, double taken_s);
     void note_lowered();
     void judge_end(std::int64_t time_ns);
     void judge_rest(const Live& way, std::int64_t time_ns);
-    void judge_spindle(std::int64_t time_ns, bool spindle_on);
+    Offence short_rest(const Live& way) const;
+    bool is_too_short(const Live& way, std::int64_t rested_ns) const noexcept;
+    bool leaves_too_soon(std::size_t n, std::int64_t time_ns, bool is_on_before);
+    const Live* short_rest_at(std::size_t n) const noexcept;
+    static void take_back(Live& way, std::int64_t since_ns) noexcept;
+    SignalWord wrong_switches(const Live& way, SignalWord levels) const noexcept;
+    void judge_switches(std::int64_t time_ns, SignalWord levels);
+    void judge_last_switches(std::int64_t time_ns, bool is_done);
+    Offence wrong_switch(Signal wire, bool is_on, const Live* way) const;
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
     Offence missed_end(const Live& way) const;
     Offence off_the_way(const Live& way, const Positions& at) const;
@@ -197,6 +212,10 @@ private:
     std::int64_t rested_ns_ = 0;  ///< at ends where the program asks for it, until then
     bool is_at_rest_ = false;     ///< since then
     bool was_spindle_on_ = false;
+    Positions at_{};                   ///< at the last instant
+    SignalWord levels_ = 0;            ///< then
+    SignalWord present_ = 0;           ///< wires that the trace has
+    SignalWord told_switches_ = 0;     ///< that are wrong, and were told
     std::int64_t spun_up_ns_ = 0;      ///< when the spindle was last switched on and had come to its speed
     double rest_before_s_ = INFINITY;  ///< the next stretch, and free for it
     std::uint64_t ways_done_ = 0;

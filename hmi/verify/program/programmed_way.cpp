@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "shared/base/units.hpp"
 
@@ -52,6 +53,7 @@ ProgrammedWay::ProgrammedWay(const WayScale& scale, const Place& from, const Pla
     for (std::size_t k = 0; k < kAxisCount; ++k) {
         end_pulses_[k] = round_to_pulse(to[k]);
         most_pulses_ = std::max(most_pulses_, std::abs(to[k] - from[k]));
+        whole_pulses_ = std::max(whole_pulses_, std::abs(end_pulses_[k] - round_to_pulse(from[k])));
     }
     const double arc_mm =
         arc ? std::abs(arc->sweep_rad) * std::max(arc->start_radius_mm, arc->end_radius_mm) : 0.0;

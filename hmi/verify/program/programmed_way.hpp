@@ -72,6 +72,8 @@ public:
     bool is_arc() const noexcept { return arc_.has_value(); }
     /// The most pulses that an axis has on it, about, and parts of one.
     double most_pulses() const noexcept { return most_pulses_; }
+    /// Of a line, the most whole ones, at least one.
+    std::int64_t whole_pulses() const noexcept { return whole_pulses_; }
     /// Of the head that goes further.
     double length_mm() const noexcept { return std::max(heads_[0].length_mm, heads_[1].length_mm); }
 
@@ -139,6 +141,7 @@ private:
     Place to_;
     Positions end_pulses_;
     double most_pulses_ = 0.0;
+    std::int64_t whole_pulses_ = 1;
     std::optional<WayArc> arc_;
     std::array<Head, kHeadCount> heads_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/verify/program/way_reader.hpp"
 
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -75,6 +76,7 @@ WayReader::WayReader(const JudgedProgram& program, const Profile& profile, const
       tolerance_mm_(profile.job.path_tolerance_mm),
       at_{} {
     for (std::size_t k = 0; k < kAxisCount; ++k) at_[k] = static_cast<double>(start[k]);
+    switches_.judged = levels_of(wired_outputs_);
 }
 
 std::optional<WayDemand> WayReader::next() {
@@ -90,6 +92,7 @@ std::optional<WayDemand> WayReader::next() {
         }
         if (asks_for_rest(*record, wired_outputs_)) rest(*record);
         note_mode(*record);
+        note_switch(*record);
     }
     return std::exchange(held_, std::nullopt);
 }
@@ -111,7 +114,22 @@ void WayReader::note_mode(const CanonRecord& record) noexcept {
         is_exact_ = record.code != kBlendCode;
         tolerance_mm_ = record.value > 0.0 ? record.value : own_tolerance_mm_;
     }
-    if (record.kind == CanonKind::spindle) is_spindle_on_ = record.code != kSpindleOffCode;
+}
+
+void WayReader::note_switch(const CanonRecord& record) {
+    if (record.kind == CanonKind::spindle)
+        turn(bit_of(Signal::spindle), record.code != kSpindleOffCode, record.line);
+    if (record.kind == CanonKind::coolant || record.kind == CanonKind::output)
+        turn(levels_of(gcode::outputs_of(record) & wired_outputs_), gcode::switches_on(record), record.line);
+    if (record.kind == CanonKind::end) turn(bit_of(Signal::spindle) | kSwitchedMask, false, record.line);
+}
+
+void WayReader::turn(SignalWord wires, bool is_on, std::uint64_t line) {
+    if (held_) held_->switches.turned_behind |= wires;
+    switches_.judged |= wires & ~kSwitchedMask;
+    switches_.on = is_on ? switches_.on | wires : switches_.on & ~wires;
+    for (SignalWord left = wires; left != 0; left &= left - 1)
+        switches_.lines[index_of_switch(static_cast<Signal>(std::countr_zero(left)))] = line;
 }
 
 /// Nothing: no axis has a pulse to go.
@@ -147,7 +165,7 @@ std::optional<WayDemand> WayReader::way_of(const CanonRecord& record) {
         demand.tolerance_mm = 0.0;
     }
     if (is_stepped_arc) demand.slack_pulses = kSteppedArcSlackPulses;
-    demand.needs_spindle = is_spindle_on_;
+    demand.switches = switches_;
     demand.goes_on = record.begins_within;
     return demand;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,6 +28,20 @@ struct WayTime {
     double before_s = 0.0;      ///< programmed for the ways before it that have no pulse
 };
 
+/// The spindle first, then the outputs that programs switch.
+inline constexpr std::size_t kSwitchCount = 1 + kSwitchedOutputCount;
+constexpr std::size_t index_of_switch(Signal wire) noexcept {
+    return wire == Signal::spindle ? 0 : 1 + index_of(wire) - kFirstSwitchedOutput;
+}
+
+/// How a program has the spindle, coolant and outputs on a way.
+struct SwitchDemand {
+    SignalWord judged = 0;                            ///< those of which it says something
+    SignalWord on = 0;                                ///< of these
+    SignalWord turned_behind = 0;                     ///< at the rest at its end
+    std::array<std::uint64_t, kSwitchCount> lines{};  ///< that switched each last
+};
+
 /// A way, and what a program asks of it.
 struct WayDemand {
     ProgrammedWay way;
@@ -39,7 +54,7 @@ struct WayDemand {
     double dwell_s = 0.0;        ///< the rest at its end, as far as it is known
     bool is_stepped = false;     ///< by point-by-point comparison, from rest to rest
     bool goes_on = false;        ///< a piece of a drawn way, and not its first
-    bool needs_spindle = false;
+    SwitchDemand switches{};
 };
 
 /// Makes canonical motion into ways of the machine's axes, from where it stands.
@@ -64,6 +79,8 @@ private:
     double share_on_chords(const gcode::CanonRecord& record, const Place& from) const;
     void rest(const gcode::CanonRecord& record);
     void note_mode(const gcode::CanonRecord& record) noexcept;
+    void note_switch(const gcode::CanonRecord& record);
+    void turn(SignalWord wires, bool is_on, std::uint64_t line);
 
     CanonStream stream_;
     const WayScale& scale_;
@@ -74,7 +91,7 @@ private:
     double own_tolerance_mm_;
     double tolerance_mm_;
     bool is_exact_ = false;
-    bool is_spindle_on_ = false;
+    SwitchDemand switches_;
     double psi_shift_deg_ = 0.0;
     Place at_;
     double without_pulse_s_ = 0.0;  ///< of the ways since the last one that had any

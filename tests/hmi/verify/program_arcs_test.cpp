@@ -144,6 +144,28 @@ TEST(ProgramArcs, ThatNeedNoPulseMayTakeTheirTimeAtRest) {
     }
 }
 
+// A place that a rest behind it is asked for is no rest before: a path that stays there is on its circle.
+TEST(ProgramArcs, MayStayWhereALaterWayRests) {
+    for (const std::string rest : {"M2", "G4 P.5\nG1 X39\nM2", "M3\nG1 X39\nM2"}) {
+        for (const auto& [seconds, expected] : {std::pair{1.3, "ok"}, {0.1, "feed 3"}}) {
+            const Profile profile = coarse_profile();
+            PlacedMachine machine = at_begin(profile);
+            const auto turns = [&](int count) { machine.along(8 * count, Circles{0.02, 1.0 * count}); };
+            turns(4);
+            machine.to({39.98, 41, 0, 10.02}).rest(seconds).to({40, 41, 0, 10});
+            turns(4);
+            machine.to({39.98, 41, 0, 10.02});
+            if (rest[0] == 'M' && rest[1] == '3') machine.rest(0.1).spindle(true);
+            machine.rest(0.6);
+            if (rest != "M2") machine.to({39, 41, 0, 10.02});
+            const std::string text = circle(0.02, "P9 F60") + "G1 X39.98 Y10.02 F900\n" + rest + "\n";
+            EXPECT_EQ(verdict(judged("G21 G90 G94 F900 G64 P.05\nG1 Y10\n" + text, machine, profile)),
+                      expected)
+                << rest;
+        }
+    }
+}
+
 // A way back over the end of the one before passes its own end before it has begun.
 TEST(ProgramArcs, AndLinesMayPassTheirEndBeforeTheyRestThere) {
     for (const auto& [seconds, expected] : {std::pair{0.6, "ok"}, {0.3, "dwell 4"}}) {

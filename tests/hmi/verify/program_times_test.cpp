@@ -54,6 +54,14 @@ TEST(ProgramTimes, HoldFFromRestToRest) {
     EXPECT_EQ(verdict(judged_in(text, 1.80)), "ok");
 }
 
+// A hundredth of a pulse that rounding makes a pulse of has no time that pins could show.
+TEST(ProgramTimes, AskNothingOfASinglePulse) {
+    PlacedMachine machine;
+    machine.to({40, 41, -0.05625, 0}).rest(0.01).to({40, 41, -0.1125, 0});
+    EXPECT_EQ(verdict(judged("G21 G90 G94 G61 F300\nG1 C-0.0279\nG1 C-0.0283\nG1 C-0.1125\nM2\n", machine)),
+              "ok");
+}
+
 // Ten minutes for a fifth of a pulse are none: there is nothing that could take them.
 TEST(ProgramTimes, AskNothingOfWaysWithoutAPulse) {
     const std::string text = "G21 G90 G64\nG93 G1 X39.9995 F0.1\nG94 G1 X31 F300\nM2\n";

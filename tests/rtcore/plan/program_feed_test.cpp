@@ -122,6 +122,23 @@ TEST(ProgramFeed, IsThatOfTheCircleWhoseChordsAreShort) {
     }
 }
 
+// What the staircase behind it is longer makes a slow way no quicker.
+TEST(ProgramFeed, OfASlowWayIsNotThatOfTheQuickStaircaseBehindIt) {
+    constexpr double kStep_mm = 0.0009;
+    constexpr double kSlow_mm_s = 0.01;
+    const auto seconds = [&](int slow_steps) {
+        UnroundedScript script{900.0};
+        for (int i = 1; i <= slow_steps; ++i) script.to(-kStep_mm * i, 0.0, kStep_mm / kSlow_mm_s);
+        const double begin_mm = kStep_mm * slow_steps;
+        for (int i = 1; i <= 2000; ++i) script.to(-begin_mm - 0.7 * kStep_mm * i, 0.7 * kStep_mm * i);
+        return script.seconds();
+    };
+    const double slow_s = seconds(18) - seconds(0);
+    const double asked_s = 18 * kStep_mm / kSlow_mm_s;
+    EXPECT_GE(slow_s, 0.98 * asked_s);
+    EXPECT_LE(slow_s, 1.1 * asked_s);
+}
+
 // What rounding made longer in ways from rest to rest is no part of the next staircase.
 TEST(ProgramFeed, BehindSteppedWaysIsThatOfTheWay) {
     for (const double way_mm : {0.08, 0.16, 0.27, 0.5}) {

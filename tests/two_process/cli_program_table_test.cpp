@@ -33,8 +33,9 @@ using Places = std::map<std::int64_t, std::vector<Positions>>;
 /// Where the axes were while the spindle was on.
 class PlacesCarved final : public verify::PositionJudge {
 public:
-    void settle(std::int64_t, const Positions& positions, bool spindle_on) override {
-        if (spindle_on) places[positions[index_of(Axis::psi)]].push_back(positions);
+    void settle(std::int64_t, const Positions& positions, SignalWord levels) override {
+        if ((levels & bit_of(Signal::spindle)) != 0)
+            places[positions[index_of(Axis::psi)]].push_back(positions);
     }
     void redefine(std::int64_t, const Positions&) override { places.clear(); }
     Places places;

@@ -129,7 +129,10 @@ std::string status_text(const CoreStatus& status, const Profile* profile, const 
         text += (axis == Axis::r1 ? "" : ", ") + position_text(status, profile, axis);
     text += "\nhomed      " + axes_in(status.homed_mask) + "\n";
     text += "job        " + progress_text(status, pass) + "\n";
-    text += formatted_status("override   %u %% of the planned feed\n", status.override_percent);
+    text += formatted_status("override   %u %% of the planned feed", unsigned{status.override_percent});
+    const std::uint32_t rapid_percent = rapid_override_percent(status);
+    if (rapid_percent != kFullFeed_percent) text += formatted_status(", rapids %u %%", rapid_percent);
+    text += "\n";
     text += outputs_text(status);
     text += "tripped    " + signals_text(status.signals, kInputMask) + "\n";
     text += formatted_status(

@@ -111,8 +111,9 @@ std::string record_text(const FlightRecord& record) {
         text += " tripped: " + signals_text(record.signals, kInputMask);
     const bool is_target =
         record.kind == RecordKind::order && static_cast<OrderPart>(record.code) == OrderPart::target;
-    const bool is_override =
-        record.kind == RecordKind::command && static_cast<CommandKind>(record.code) == CommandKind::override;
+    const bool is_override = record.kind == RecordKind::command &&
+                             (static_cast<CommandKind>(record.code) == CommandKind::override ||
+                              static_cast<CommandKind>(record.code) == CommandKind::rapid_override);
     if (record.kind == RecordKind::alarm || record.kind == RecordKind::job ||
         record.kind == RecordKind::home_latch || is_target || is_override) {
         text += " " + std::to_string(record.value);

@@ -156,6 +156,7 @@ nlohmann::ordered_json status_json(const CoreStatus& status, std::int64_t pulses
             {"period_ns", status.period_ns},
             {"heartbeat", status.heartbeat},
             {"override_percent", status.override_percent},
+            {"rapid_override_percent", rapid_override_percent(status)},
             {"waited_ticks", status.waited_ticks},
             {"missed_ticks", status.missed_ticks},
             {"max_lateness_ns", status.max_lateness_ns},

@@ -146,6 +146,7 @@ private:
     Refusal resume() noexcept;
     Refusal load_job(const Request& request) noexcept;
     Refusal take_override(std::uint64_t percent) noexcept;
+    Refusal take_rapid_override(std::uint64_t percent) noexcept;
     Refusal record(const Request& request) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
     Verdict start_move(const Request& request) noexcept;

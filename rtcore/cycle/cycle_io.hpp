@@ -41,6 +41,7 @@ enum class RequestKind : std::uint8_t {
     test_pin,    ///< value: a PinOrder, packed; lease
     drives_off,
     run_program,  ///< value: its number; axis: not 0: a halt after each of its blocks
+    rapid_override,  ///< value: per cent of the speed of a program's rapid ways
 };
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
@@ -72,6 +73,7 @@ enum class Refusal : std::uint8_t {
     heads_too_close,
     at_the_end,    ///< no way is left in this direction
     bad_override,  ///< beyond 10 to 200 per cent
+    bad_rapid_override,  ///< beyond 10 to 100 per cent
     no_such_layer,
     not_an_arc,        ///< begin and end are not as far from the centre, or it is too small
     recording,         ///< another process has the pins recorded, or nobody can
@@ -120,6 +122,7 @@ struct Sample {
     std::uint64_t missed_ticks;
     std::uint64_t waited_ticks;
     std::uint64_t override_percent;
+    std::uint64_t rapid_override_percent;
     std::uint64_t trace_lost;
     std::uint64_t reports_lost;
     std::uint64_t increments_lost;

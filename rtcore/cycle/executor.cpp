@@ -27,11 +27,31 @@ void Executor::go_on_after_lift(std::uint64_t tick) noexcept {
 
 void Executor::set_feed_ratio(double feed_ratio) noexcept {
     feed_ratio_ = feed_ratio;
-    if (!slowing_) pace_.aim(feed_ratio);
     const double up_to_plan = std::min(feed_ratio, 1.0);
     profile_.set_ratio(up_to_plan);
     fine_.set_ratio(up_to_plan);
-    take_up_.set_ratio(up_to_plan);
+    aim();
+}
+
+void Executor::set_rapid_ratio(double rapid_ratio) noexcept {
+    rapid_ratio_ = rapid_ratio;
+    aim();
+}
+
+// As fast as the overrides allow for the block at hand. A feed above 100 % is that of rapid ways, too: their
+// plan for it is no faster but at their ends, and so there is no step where one kind follows the other.
+void Executor::aim() noexcept {
+    if (block().way == WayKind::feed) {
+        if (!slowing_) pace_.aim(feed_ratio_);
+        take_up_.set_ratio(std::min(feed_ratio_, 1.0));
+    } else {
+        if (!slowing_) pace_.aim(std::max(feed_ratio_, 1.0), rapid_part());
+        take_up_.set_ratio(rapid_part());
+    }
+}
+
+double Executor::rapid_part() const noexcept {
+    return block().way == WayKind::to_feed ? std::min(rapid_ratio_, feed_ratio_) : rapid_ratio_;
 }
 
 std::uint32_t Executor::axes_in_motion() const noexcept {
@@ -71,6 +91,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
 Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
     search_.begin(block());
     in_motion_ = true;
+    aim();
     if (block().kind == BlockKind::path) return begin_path(tick);
     const std::uint8_t homing_axis = search_.homing_axis();
     if (block().kind == BlockKind::move && homing_axis != kNoAxis) {

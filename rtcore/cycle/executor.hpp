@@ -65,13 +65,15 @@ public:
     }
     void go_on() noexcept {
         slowing_ = false;
-        pace_.aim(feed_ratio_);
+        aim();
     }
     /// The heads have been elsewhere and are back: as go_on(), with the path's directions.
     void go_on_after_lift(std::uint64_t tick) noexcept;
     /// So much of the planned feed from the next step on, 0.1 to 2. Paths only know more than 1: lines and
     /// moves keep to their plan then.
     void set_feed_ratio(double feed_ratio) noexcept;
+    /// So much of the speed of rapid ways from the next step on, 0.1 to 1.
+    void set_rapid_ratio(double rapid_ratio) noexcept;
     /// From the next block on these axes (bit by axis) stand still: the pulses that they would have are not
     /// sent, all else is as it would be. None after reset().
     void set_still_axes(std::uint32_t axes) noexcept { still_axes_ = axes; }
@@ -112,6 +114,8 @@ private:
     void turn_axes(std::uint64_t tick) noexcept;
     bool is_slowest() const noexcept;
     void rest() noexcept;
+    void aim() noexcept;
+    double rapid_part() const noexcept;
     Progress reached() noexcept;
     Progress watch_sensor() noexcept;
     Progress define(std::int64_t correction, Progress what) noexcept;
@@ -143,6 +147,7 @@ private:
     TakeUp take_up_;         ///< is on: the block at hand has not begun, its axes cross their gaps first
 
     double feed_ratio_ = 1.0;
+    double rapid_ratio_ = 1.0;
     std::uint32_t still_axes_ = 0;
     bool in_motion_ = false;
     bool slowing_ = false;

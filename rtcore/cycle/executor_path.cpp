@@ -54,6 +54,7 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
             return progress | kStarved;
         }
         iterations_.start_segment(block());
+        aim();
         pace_.next(block().path, iterations_.left());
         turn_for_segment(tick);
         if (take_up_.is_on()) return progress;

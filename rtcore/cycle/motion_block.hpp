@@ -56,6 +56,13 @@ struct PathTiming {
     std::array<double, 2> rest_speed2;
 };
 
+/// Whose override is for a way.
+enum class WayKind : std::uint8_t {
+    feed,      ///< of a job, or a way in the material: the feed's
+    rapid,     ///< of a program, in the air: the rapids'
+    to_feed,   ///< in the air, and a brake from there may end in a way in the material: the lower of both
+};
+
 /// How a group of path segments is joined to its neighbours, as bits in each of its blocks.
 inline constexpr std::uint8_t kGoesOn = 1;     ///< without a rest the next group goes on where it ends
 inline constexpr std::uint8_t kCarriesOn = 2;  ///< it is such a next one
@@ -78,6 +85,7 @@ struct MotionBlock {
     std::uint8_t joints;     ///< path: kGoesOn, kCarriesOn
     SwitchedOutputs switched_on;   ///< outputs: these go on; all others stay as they are
     SwitchedOutputs switched_off;  ///< outputs: these go off
+    WayKind way;                   ///< path
     std::uint32_t epoch;           ///< of the plan request it belongs to; others are dropped
     std::uint32_t group_blocks;    ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;

@@ -52,8 +52,8 @@ void PathLaw::enter(const PathTiming& timing) noexcept {
     }
 }
 
-void PathLaw::aim(double feed_ratio) noexcept {
-    if (!target_.aim(feed_ratio)) return;
+void PathLaw::aim(double feed_ratio, double part) noexcept {
+    if (!target_.aim(feed_ratio, part)) return;
     bound_target();
     restart();
 }

@@ -34,9 +34,9 @@ public:
     /// The next segment, with the time that was left over. Requires is_at_end().
     void next(const PathTiming& timing) noexcept;
 
-    /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest() is called. From
-    /// rest it starts again, with a jump to the start-stop speed at most.
-    void aim(double feed_ratio) noexcept;
+    /// From the next tick on: so much of the planned feed, 0 to 2, and such a part of that; 0 slows down until
+    /// rest() is called. From rest it starts again, with a jump to the start-stop speed at most.
+    void aim(double feed_ratio, double part = 1.0) noexcept;
 
     /// Called before a segment is entered, with true at a group's begin alone: in this one and those after it
     /// it stays below their profile that rests where what is queued ends. Lifted at any time.

@@ -53,8 +53,9 @@ public:
     void take() noexcept { expect(iteration_ + 1.0); }
     bool is_at_end() const noexcept { return law_.is_at_end(); }
 
-    /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest().
-    void aim(double feed_ratio) noexcept { law_.aim(feed_ratio); }
+    /// From the next tick on: so much of the planned feed, 0 to 2, and such a part of that; 0 slows down until
+    /// rest().
+    void aim(double feed_ratio, double part = 1.0) noexcept { law_.aim(feed_ratio, part); }
     bool is_slowest() const noexcept { return law_.is_slowest(); }
     /// From the next segment on, or, lifted, from now on: no faster than for a rest at the group's end.
     void cap(bool is_capped) noexcept { law_.cap(is_capped); }

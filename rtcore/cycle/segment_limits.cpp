@@ -5,12 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "rtcore/cycle/braking.hpp"
+
 namespace psicarve::cycle {
 namespace {
-
-// Of the acceleration that is left, so much is used to get to the target. The rest pays for the pulses' being
-// whole and on ticks, which a plan that goes to the limit has spent already.
-constexpr double kSteeringShare = 0.97;
 
 /// d2u/dt2 of motions that are known to be allowed here: along the profile of which the speed at hand is a
 /// part or a mixture, and along the 200 % profile scaled down.

@@ -129,6 +129,7 @@ JournalFacts facts_of_command(const ReceivedCommand& received) {
             break;
         case CommandKind::spindle:
         case CommandKind::override:
+        case CommandKind::rapid_override:
             facts.add("value", as_sent(command.value));
             break;
         default:

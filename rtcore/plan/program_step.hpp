@@ -31,10 +31,11 @@ struct ProgramStep {
     std::array<std::int64_t, 2> centre_pulses{};  ///< of an arc: its head's, y's
 };
 
-/// Which record a motion is of, and its line.
+/// Which record a motion is of, its line, and whether that is a rapid way.
 struct RecordPlace {
     std::uint64_t line;
     std::uint64_t sequence;
+    bool is_rapid;
 };
 
 /// What a source has to give.

@@ -266,8 +266,9 @@ std::vector<RecordPlace> RecordProgram::lines_of(std::size_t first, std::size_t 
     return lines;
 }
 
-// The pieces as groups of blocks, each from rest to rest or joined to others; `lines` by point.
-void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joints) {
+// The pieces as groups of blocks, each from rest to rest or joined to others, the last of them to one with a
+// way in the material; `lines` by point.
+void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joints, bool feed_follows) {
     std::size_t begin = blocks_.size();
     std::size_t point = 1;
     for (const PathPiece& piece : pieces_) {
@@ -275,10 +276,13 @@ void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joint
         block.joints = static_cast<std::uint8_t>(joints);
         set_program_line(block, lines[point].line);
         set_program_sequence(block, lines[point].sequence);
+        if (lines[point].is_rapid) block.way = cycle::WayKind::rapid;
         if (piece.point != PathPiece::kNoPoint && piece.point + 1 < lines.size()) point = piece.point + 1;
         if (!piece.rests && &piece != &pieces_.back()) continue;
         blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
-        note_gaps(machine_, std::span(blocks_).subspan(begin));
+        const std::span run = std::span(blocks_).subspan(begin);
+        note_gaps(machine_, run);
+        note_feed_ahead(run, feed_follows && !piece.rests);
         begin = blocks_.size();
     }
 }

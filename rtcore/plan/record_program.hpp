@@ -85,7 +85,7 @@ private:
     void end_run();
     Timings least_pace2(const ProgramStep& step, std::size_t first) const;
     std::vector<RecordPlace> lines_of(std::size_t first, std::size_t last) const;
-    void add_group(std::span<const RecordPlace> lines, unsigned joints);
+    void add_group(std::span<const RecordPlace> lines, unsigned joints, bool feed_follows = false);
     void halt(ProgramHold hold, std::uint64_t line);
     cycle::MotionBlock& add_switch(std::uint64_t line);
     void switch_spindle(bool is_on, std::uint64_t line);

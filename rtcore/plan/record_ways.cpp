@@ -142,7 +142,7 @@ void RecordProgram::add_way(const ProgramStep& step) {
             points_.push_back({on_the_way, 0, 0, false});
     }
     points_.push_back({step.target_pulses, 0, 0, false});
-    ways_.resize(points_.size(), {{step.line, step.sequence}, least_pace2(step, first), 0.0});
+    ways_.resize(points_.size(), {{step.line, step.sequence, step.is_rapid}, least_pace2(step, first), 0.0});
     ways_.back().longer_by = std::exchange(longer_by_, 0.0);
 }
 

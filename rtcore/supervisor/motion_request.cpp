@@ -204,7 +204,7 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         added = add_layers(request, command);
     } else if (kind == RequestKind::spindle) {
         request.value = command.value != 0.0 ? 1 : 0;
-    } else if (kind == RequestKind::override) {
+    } else if (kind == RequestKind::override || kind == RequestKind::rapid_override) {
         request.value = percent_of(command.value);
     } else if (kind == RequestKind::run_program) {
         request.value = command.value2;

@@ -84,6 +84,8 @@ Message refusal_message(const cycle::Report& answer, CommandKind command, const 
             return message_of(MessageId::overtaken, argument_of(command));
         case R::bad_override:
             return message_of(MessageId::bad_override);
+        case R::bad_rapid_override:
+            return message_of(MessageId::bad_rapid_override);
     }
     return message_of(MessageId::refused);
 }

@@ -44,6 +44,8 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "forget";
         case CommandKind::program:
             return "program";
+        case CommandKind::rapid_override:
+            return "override of rapids";
     }
     return "unknown";  // a number from shared memory may be anything
 }

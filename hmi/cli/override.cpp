@@ -16,7 +16,8 @@ constexpr CommandText kOverrideText{
     "override", "Carve at so many per cent of the planned feed",
     "At any time, from the next tick on, within every axis' limits. Stays until the "
     "next job is published, which\n"
-    "begins with 100. --rapids: of the speed of a program's rapid ways, 10 to 100; the feed's is not for them.",
+    "begins with 100. --rapids: of the speed of a program's rapid ways, 10 to 100; the feed's is not for "
+    "them.",
     "psicarve override 80"};
 
 struct OverrideOptions {
@@ -38,8 +39,8 @@ Result<int> override_speed(const CommonOptions& common, const OverrideOptions& o
         std::printf("override: rapid ways at %u %% of their speed; the machine is %s\n",
                     rapid_override_percent(*status), state_text(*status).c_str());
     } else {
-        std::printf("override: %u %% of the planned feed; the machine is %s\n", unsigned{status->override_percent},
-                    state_text(*status).c_str());
+        std::printf("override: %u %% of the planned feed; the machine is %s\n",
+                    unsigned{status->override_percent}, state_text(*status).c_str());
     }
     return kExitDone;
 }

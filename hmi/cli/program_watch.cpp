@@ -78,7 +78,8 @@ Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& s
                                                      ": somebody stopped it; --from-line goes on"};
     }
     const std::int64_t ticks = static_cast<std::int64_t>(ended->tick - before->tick);
-    const std::uint32_t most_percent = std::max(std::uint32_t{before->override_percent}, watch.most_override_percent());
+    const std::uint32_t most_percent =
+        std::max(std::uint32_t{before->override_percent}, watch.most_override_percent());
     return ProgramRun{report.status, seconds_from_ns(ticks * ended->period_ns), most_percent,
                       watch.was_held() || report.status.starvations > 0};
 }

@@ -8,6 +8,8 @@
 #include "hmi/report/status_json.hpp"
 #include "shared/base/units.hpp"
 #include "shared/computer/realtime_step.hpp"
+#include "shared/machine/recorded_program.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::cli {
 namespace {

@@ -115,6 +115,8 @@ std::string record_text(const FlightRecord& record) {
                              (static_cast<CommandKind>(record.code) == CommandKind::override ||
                               static_cast<CommandKind>(record.code) == CommandKind::rapid_override);
     if (record.kind == RecordKind::alarm || record.kind == RecordKind::job ||
+    if (record.kind == RecordKind::command && static_cast<CommandKind>(record.code) == CommandKind::single)
+        text += record.value != 0 ? " on" : " off";
         record.kind == RecordKind::home_latch || is_target || is_override) {
         text += " " + std::to_string(record.value);
     }

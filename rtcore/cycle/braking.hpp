@@ -9,12 +9,12 @@
 
 namespace psicarve::cycle {
 
-/// Of the acceleration that is left, so much is used to get to the target. The rest pays for the pulses' being
-/// whole and on ticks, which a plan that goes to the limit has spent already.
+/// Of the acceleration that is left, so much is used to get to the target. The rest pays for the pulses'
+/// being whole and on ticks, which a plan that goes to the limit has spent already.
 inline constexpr double kSteeringShare = 0.97;
 
-/// (du/dt)^2 at a segment's begin from which it is known that every axis can brake to `end_speed2` at its end,
-/// as hard as they may [u^2/s^2]. Along either profile scaled down it may, too. RT: yes.
+/// (du/dt)^2 at a segment's begin from which it is known that every axis can brake to `end_speed2` at its
+/// end, as hard as they may [u^2/s^2]. Along either profile scaled down it may, too. RT: yes.
 inline double braked_speed2(const PathTiming& timing, double end_speed2) noexcept {
     const double way = 2.0 * kSteeringShare * timing.length;
     double speed2 = std::numeric_limits<double>::infinity();

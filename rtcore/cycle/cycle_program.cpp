@@ -10,9 +10,27 @@ Refusal Cycle::start_program(const Request& request) noexcept {
     program_.begin(request.value, request.axis != 0);
     tell_program(ProgramEvent::begun, program_.status().is_single);
     pulses_.clear_emitted();
+    motion_.set_line_by_line(request.axis != 0);
     apply(MachineEvent::run_program);
     request_plan(PlanKind::program);
     return Refusal::none;
+}
+
+Refusal Cycle::switch_single(bool is_on) noexcept {
+    if (!program_.is_on()) return Refusal::no_program;
+    if (state_ == MachineState::stopping) return Refusal::not_in_this_state;
+    program_.set_single(is_on);
+    motion_.set_line_by_line(is_on);
+    return Refusal::none;
+}
+
+// A hold, a stop or an alarm that was asked for meanwhile goes on from this rest.
+void Cycle::line_done() noexcept {
+    if (carves_program() && alarm_.awaited() == AlarmCause::none) {
+        halt_program(ProgramHold::single);
+    } else {
+        came_to_rest();
+    }
 }
 
 // Once there is nothing to do: it has come to rest by itself, on a point of the program.

@@ -49,6 +49,8 @@ Verdict Cycle::judge(const Request& request) noexcept {
             return {switch_spindle(request.value != 0)};
         case RequestKind::override:
             return {take_override(request.value)};
+        case RequestKind::single:
+            return {switch_single(request.value != 0)};
         case RequestKind::rapid_override:
             return {take_rapid_override(request.value)};
         case RequestKind::record:

@@ -10,6 +10,10 @@ void Executor::reset(std::uint32_t epoch) noexcept {
     search_.end_homing();
     take_up_.end();
     in_motion_ = false;
+    has_line_ended_ = false;
+    starts_again_ = false;
+    line_stop_.forget();
+    pace_.unbound();
     go_on();
     still_axes_ = 0;
     pulses_->forget_waiting();
@@ -50,8 +54,14 @@ void Executor::aim() noexcept {
     }
 }
 
+// Before the block at hand begins.
+void Executor::enter_way() noexcept {
+    is_near_feed_ = block().way == WayKind::to_feed && block().path.feed_from <= 0.0F;
+    aim();
+}
+
 double Executor::rapid_part() const noexcept {
-    return block().way == WayKind::to_feed ? std::min(rapid_ratio_, feed_ratio_) : rapid_ratio_;
+    return is_near_feed_ ? std::min(rapid_ratio_, feed_ratio_) : rapid_ratio_;
 }
 
 std::uint32_t Executor::axes_in_motion() const noexcept {
@@ -80,7 +90,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
             feed_.pause(block().ticks);
             return kNothing;
         case BlockKind::halt:
-            return kHalted;
+            return block().halt == ProgramHold::single && !is_line_by_line_ ? kNothing : kHalted;
         case BlockKind::program_end:
             break;
     }
@@ -91,7 +101,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
 Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
     search_.begin(block());
     in_motion_ = true;
-    aim();
+    enter_way();
     if (block().kind == BlockKind::path) return begin_path(tick);
     const std::uint8_t homing_axis = search_.homing_axis();
     if (block().kind == BlockKind::move && homing_axis != kNoAxis) {
@@ -105,6 +115,11 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
 
 Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
     if (take_up_.is_on()) return advance_take_up(tick);
+    if (has_line_ended_) {
+        if (pulses_->is_gate_shut()) return kNothing;
+        has_line_ended_ = false;
+        return kLineDone;
+    }
     Progress progress = kNothing;
     bool must_slow = slowing_;
     if (search_.is_on()) {

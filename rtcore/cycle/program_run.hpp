@@ -32,6 +32,7 @@ public:
     }
     /// Its last block is done.
     void note_done() noexcept { status_.is_done = 1; }
+    void set_single(bool is_on) noexcept { status_.is_single = is_on ? 1 : 0; }
     void end() noexcept {
         status_.is_running = 0;
         status_.hold = ProgramHold::none;

@@ -2,6 +2,7 @@
 #include "rtcore/plan/path_blocks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "rtcore/cycle/braking.hpp"
 #include "rtcore/plan/wide.hpp"
@@ -80,7 +81,11 @@ void note_feed_ahead(std::span<MotionBlock> run, bool feed_follows) {
         is_ahead = is_ahead && braked2 < block.path.end_speed2[1];
         if (!is_ahead) continue;
         block.way = cycle::WayKind::to_feed;
-        braked2 = braked_speed2(block.path, braked2);
+        const double end2 = std::exchange(braked2, braked_speed2(block.path, braked2));
+        const double above2 = braked2 - block.path.start_speed2[1];
+        const double below2 = block.path.end_speed2[1] - end2;
+        if (above2 > 0.0)
+            block.path.feed_from = static_cast<float>(block.path.length * above2 / (above2 + below2));
     }
 }
 

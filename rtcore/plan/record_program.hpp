@@ -63,6 +63,7 @@ private:
     void take(const ProgramStep& step);
     ProgramStep at_the_programs_pace(const ProgramStep& step);
     bool is_very_long(const ProgramStep& step) const;
+    void end_line(std::uint64_t line);
     void take_way(const ProgramStep& step);
     void take_very_long_way(const ProgramStep& step);
     void take_stepped(const ProgramStep& step);
@@ -110,6 +111,7 @@ private:
     // A way by point-by-point comparison: its blocks come one by one, behind blocks_.
     std::optional<SteppedProgram> stepped_;
     bool halts_behind_stepped_ = false;
+    bool ends_behind_stepped_ = false;  ///< its line does
 
     // The window at hand, from where the machine rests or the curve is decided up to.
     std::vector<PathPoint> points_;

@@ -40,8 +40,9 @@ enum class CommandKind : std::uint32_t {
                    ///< axis: kProgram... bits; target: where the machine stood when it was read [pulses]
     rapid_override = 20,  ///< value: so many per cent of the speed of a program's rapid ways, whole, 10 to
                           ///< 100
+    single = 21,          ///< value: 1 the program that runs rests at the end of each line, 0 it does not
 };
-inline constexpr std::uint32_t kCommandKindCount = 21;
+inline constexpr std::uint32_t kCommandKindCount = 22;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;

@@ -72,11 +72,12 @@ struct CoreStatus {
     AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
     std::uint64_t waited_ticks;         ///< ticks in which the pins kept a due iteration waiting, since start
     std::uint16_t override_percent;     ///< of the planned feed
-    std::uint16_t rapid_override_percent;  ///< of a program's rapid ways; 0, in snapshots before layout 16: 100
-    std::uint8_t is_dry;                ///< 1: the job at hand, or the last, was a dry run
-    std::uint8_t is_left_forecast;      ///< 1: part of seconds_left is a forecast: not all is planned yet
-    std::uint16_t is_port_silent;  ///< 1: the port has not taken the safe state; `signals` may stand on it
-    std::uint64_t trace_lost;      ///< pin changes that no trace could take (real clock only)
+    std::uint16_t
+        rapid_override_percent;     ///< of a program's rapid ways; 0, in snapshots before layout 16: 100
+    std::uint8_t is_dry;            ///< 1: the job at hand, or the last, was a dry run
+    std::uint8_t is_left_forecast;  ///< 1: part of seconds_left is a forecast: not all is planned yet
+    std::uint16_t is_port_silent;   ///< 1: the port has not taken the safe state; `signals` may stand on it
+    std::uint64_t trace_lost;       ///< pin changes that no trace could take (real clock only)
     // How the tick's thread is set up (real clock only), and what interrupted it: counted outside of the
     // tick.
     std::uint32_t realtime_asked;     ///< bit by RealtimeStep: tried

@@ -69,6 +69,7 @@ enum class MessageId : std::uint16_t {
     carved_to_its_end = 79,
     bad_override = 80,
     bad_rapid_override = 81,
+    no_program_runs = 82,
 
     // Outputs by hand, recordings, records of pieces.
     pins_need_drives_off = 90,

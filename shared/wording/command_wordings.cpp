@@ -169,6 +169,7 @@ constexpr std::array kCommandWordings{
             "override: 10 to 100 per cent of the speed of rapid ways, whole",
             "",
             {}},
+    Wording{Id::no_program_runs, "no_program_runs", "single: no program runs", "", {}},
 
     Wording{Id::pins_need_drives_off,
             "pins_need_drives_off",

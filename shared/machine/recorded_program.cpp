@@ -60,7 +60,7 @@ void take_record(ProgramStatus& program, const FlightRecord& record) noexcept {
     program.is_running = event == ProgramEvent::ended ? 0 : 1;
     if (event == ProgramEvent::held && detail < kProgramHoldCount)
         program.hold = static_cast<ProgramHold>(detail);
-    if (program.hold == ProgramHold::starved) ++program.starvations;
+    program.starvations += recorded_starvations(record);
     if (event == ProgramEvent::ended)
         program.is_done = detail == static_cast<std::uint8_t>(ProgramEnding::done) ? 1 : 0;
 }

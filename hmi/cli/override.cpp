@@ -7,6 +7,7 @@
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/status_text.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -15,21 +16,31 @@ constexpr CommandText kOverrideText{
     "override", "Carve at so many per cent of the planned feed",
     "At any time, from the next tick on, within every axis' limits. Stays until the "
     "next job is published, which\n"
-    "begins with 100.",
+    "begins with 100. --rapids: of the speed of a program's rapid ways, 10 to 100; the feed's is not for "
+    "them.",
     "psicarve override 80"};
 
-Result<int> override_feed(const CommonOptions& common, std::uint32_t percent) {
+struct OverrideOptions {
+    std::uint32_t percent = kFullFeed_percent;
+    bool is_of_rapids = false;
+};
+
+Result<int> override_speed(const CommonOptions& common, const OverrideOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
     Command details{};
-    details.value = percent;
-    const auto status = run_motion(*link, {CommandKind::override, {}, {}, details});
+    details.value = options.percent;
+    const CommandKind kind = options.is_of_rapids ? CommandKind::rapid_override : CommandKind::override;
+    const auto status = run_motion(*link, {kind, {}, {}, details});
     if (!status) return status.error();
     if (common.json) {
         report_motion(common, kOverrideText.name, *status);
+    } else if (options.is_of_rapids) {
+        std::printf("override: rapid ways at %u %% of their speed; the machine is %s\n",
+                    rapid_override_percent(*status), state_text(*status).c_str());
     } else {
-        std::printf("override: %u %% of the planned feed; the machine is %s\n", status->override_percent,
-                    state_text(*status).c_str());
+        std::printf("override: %u %% of the planned feed; the machine is %s\n",
+                    unsigned{status->override_percent}, state_text(*status).c_str());
     }
     return kExitDone;
 }
@@ -37,12 +48,13 @@ Result<int> override_feed(const CommonOptions& common, std::uint32_t percent) {
 }  // namespace
 
 void add_override(CommandSet& commands) {
-    const auto percent = std::make_shared<std::uint32_t>(100U);
+    const auto options = std::make_shared<OverrideOptions>();
     commands
         .add(kOverrideText,
-             [percent](const CommonOptions& common) { return override_feed(common, *percent); })
-        .argument("PERCENT", *percent, kLeastOverride_percent, kMostOverride_percent,
-                  "10 to 200; 100 is the feed as planned");
+             [options](const CommonOptions& common) { return override_speed(common, *options); })
+        .argument("PERCENT", options->percent, kLeastOverride_percent, kMostOverride_percent,
+                  "10 to 200; 100 is the feed as planned")
+        .flag("--rapids", options->is_of_rapids, "of a program's rapid ways, 10 to 100");
 }
 
 }  // namespace psicarve::cli

@@ -46,6 +46,7 @@ void add_all_commands(CommandSet& commands) {
     add_reset_height(commands);
     add_jog(commands);
     add_move(commands);
+    add_single(commands);
     add_spindle(commands);
     add_drives_off(commands);
     add_forget(commands);

@@ -32,7 +32,7 @@ Result<void> ProgramWatch::look(const CoreStatus& status) {
     const ProgramStatus& program = report.status;
     if (quiet_label_ == nullptr) tell_hold(report);
     if (follow_) follow_(report);
-    most_override_percent_ = std::max(most_override_percent_, status.override_percent);
+    most_override_percent_ = std::max(most_override_percent_, std::uint32_t{status.override_percent});
     was_held_ = was_held_ || status.state == MachineState::held || program.starvations > 0;
     bar_.relabel(quiet_label_ != nullptr ? std::string{quiet_label_} : std::string{name_of(status.state)});
     const double done =
@@ -78,7 +78,8 @@ Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& s
                                                      ": somebody stopped it; --from-line goes on"};
     }
     const std::int64_t ticks = static_cast<std::int64_t>(ended->tick - before->tick);
-    const std::uint32_t most_percent = std::max(before->override_percent, watch.most_override_percent());
+    const std::uint32_t most_percent =
+        std::max(std::uint32_t{before->override_percent}, watch.most_override_percent());
     return ProgramRun{report.status, seconds_from_ns(ticks * ended->period_ns), most_percent,
                       watch.was_held() || report.status.starvations > 0};
 }

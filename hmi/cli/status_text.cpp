@@ -8,6 +8,8 @@
 #include "hmi/report/status_json.hpp"
 #include "shared/base/units.hpp"
 #include "shared/computer/realtime_step.hpp"
+#include "shared/machine/recorded_program.hpp"
+#include "shared/profile/pin_map.hpp"
 
 namespace psicarve::cli {
 namespace {
@@ -88,16 +90,16 @@ std::string switched_text(SignalWord levels) {
     return ", on: " + signals_text(levels, kSwitchedMask);
 }
 
-std::string outputs_text(const CoreStatus& status) {
+std::string outputs_text(const CoreStatus& status, const Profile* profile) {
     const bool is_spindle_on = (status.signals & bit_of(Signal::spindle)) != 0;
     const std::string drives =
         axes_in(static_cast<std::uint8_t>((status.signals & kEnableMask) >> index_of(Signal::r1_enable)));
     if (status.is_port_silent == 0)
         return "drives on  " + drives + ", spindle " + (is_spindle_on ? "on" : "off") +
                switched_text(status.signals) + "\n";
-    return "port       does not answer: drives and spindle may be ON; switch the machine off by its own "
-           "switch\ndrives     last on: " +
-           drives + "; spindle last " + (is_spindle_on ? "on" : "off") + switched_text(status.signals) +
+    return "port       does not answer: " + names_of_powered(profile != nullptr ? *profile : Profile{}) +
+           " may be ON; switch the machine off by its own switch\ndrives     last on: " + drives +
+           "; spindle last " + (is_spindle_on ? "on" : "off") + switched_text(status.signals) +
            "; the core goes on trying\n";
 }
 
@@ -129,8 +131,11 @@ std::string status_text(const CoreStatus& status, const Profile* profile, const 
         text += (axis == Axis::r1 ? "" : ", ") + position_text(status, profile, axis);
     text += "\nhomed      " + axes_in(status.homed_mask) + "\n";
     text += "job        " + progress_text(status, pass) + "\n";
-    text += formatted_status("override   %u %% of the planned feed\n", status.override_percent);
-    text += outputs_text(status);
+    text += formatted_status("override   %u %% of the planned feed", unsigned{status.override_percent});
+    const std::uint32_t rapid_percent = rapid_override_percent(status);
+    if (rapid_percent != kFullFeed_percent) text += formatted_status(", rapids %u %%", rapid_percent);
+    text += "\n";
+    text += outputs_text(status, profile);
     text += "tripped    " + signals_text(status.signals, kInputMask) + "\n";
     text += formatted_status(
         "core       %s, %s clock, tick %.0f us, %llu ticks, %llu missed, at most %.1f us late\n",

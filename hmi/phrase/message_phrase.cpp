@@ -92,6 +92,8 @@ std::vector<Row> of_jobs() {
          phrase("no layer was finished; start from the beginning, or with layer %1 for the piece of before")},
         {Id::carved_to_its_end, phrase("the job is carved to its end")},
         {Id::bad_override, phrase("10 to 200 per cent of the planned feed, whole")},
+        {Id::bad_rapid_override, phrase("10 to 100 per cent of the speed of rapid ways, whole")},
+        {Id::no_program_runs, phrase("no program runs")},
     };
 }
 

@@ -48,6 +48,10 @@ void tell_command(const FlightRecord& record, Entry& entry) {
         entry.what = phrase("Refused: %1", command_name(record));
     } else if (static_cast<CommandKind>(record.code) == CommandKind::override) {
         entry.what = phrase("Feed override %1 %", std::to_string(record.value));
+    } else if (static_cast<CommandKind>(record.code) == CommandKind::rapid_override) {
+        entry.what = phrase("Override of rapids %1 %", std::to_string(record.value));
+    } else if (static_cast<CommandKind>(record.code) == CommandKind::single) {
+        entry.what = record.value != 0 ? phrase("Single block on") : phrase("Single block off");
     } else {
         entry.what = phrase("Command: %1", command_name(record));
     }

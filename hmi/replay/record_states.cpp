@@ -10,6 +10,7 @@
 namespace psicarve::replay {
 namespace {
 
+constexpr auto kFullFeed = static_cast<std::uint16_t>(kFullFeed_percent);
 constexpr std::uint8_t kAllHomed = (1U << kAxisCount) - 1;
 
 /// These states are only reached homed.
@@ -25,13 +26,13 @@ bool is_done(const FlightRecord& record) noexcept {
 }  // namespace
 
 RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
-    At now{0, MachineState::off, AlarmCause::none, kNoAxis, 0, 0, 0, 0, false};
+    At now{0, MachineState::off, AlarmCause::none, kNoAxis, 0, 0, 0, 0, 0, false};
     ProgramStatus program{};
     for (const FlightRecord& record : records) {
         now.tick = record.tick;
         take_record(program, record);
         now.is_program = program.is_running != 0;
-        if (is_program_done(record)) now.override_percent = std::min(now.override_percent, kFullFeed_percent);
+        if (is_program_done(record)) now.override_percent = std::min(now.override_percent, kFullFeed);
         if (record.kind == RecordKind::state_change && record.code < kMachineStateCount) {
             now.state = static_cast<MachineState>(record.code);
             if (now.state != MachineState::alarm && now.state != MachineState::backing_off)
@@ -42,10 +43,14 @@ RecordStates::RecordStates(const std::vector<FlightRecord>& records) {
             ++now.alarms;
         } else if (record.kind == RecordKind::job && is_done(record)) {
             now.generation = static_cast<std::uint64_t>(record.value);
-            now.override_percent = kFullFeed_percent;
+            now.override_percent = kFullFeed;
+            now.rapid_override_percent = kFullFeed;
         } else if (record.kind == RecordKind::command && is_done(record) &&
                    record.code == static_cast<std::uint16_t>(CommandKind::override)) {
-            now.override_percent = static_cast<std::uint32_t>(record.value);
+            now.override_percent = static_cast<std::uint16_t>(record.value);
+        } else if (record.kind == RecordKind::command && is_done(record) &&
+                   record.code == static_cast<std::uint16_t>(CommandKind::rapid_override)) {
+            now.rapid_override_percent = static_cast<std::uint16_t>(record.value);
         } else if (record.kind == RecordKind::command && is_done(record) &&
                    record.code == static_cast<std::uint16_t>(CommandKind::start)) {
             now.is_dry = (static_cast<std::uint64_t>(record.value) & kRecordedDryRun) != 0 ? 1 : 0;
@@ -78,6 +83,7 @@ void RecordStates::fill(CoreStatus& status, std::uint64_t tick) const noexcept {
     status.alarm_count = state.alarms;
     status.homed_mask = is_homed(state.state) ? kAllHomed : std::uint8_t{0};
     status.override_percent = state.override_percent;
+    status.rapid_override_percent = state.rapid_override_percent;
     status.job_generation = state.generation;
     status.is_dry = state.is_dry;
 }

@@ -26,7 +26,8 @@ private:
         MachineState state;
         AlarmCause cause;
         std::uint8_t axis;
-        std::uint32_t override_percent;
+        std::uint16_t override_percent;
+        std::uint16_t rapid_override_percent;
         std::uint64_t generation;
         std::uint64_t alarms;
         std::uint8_t is_dry;

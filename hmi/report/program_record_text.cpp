@@ -47,7 +47,10 @@ std::string program_record_text(const FlightRecord& record) {
     }
     if (is_of_program(record, ProgramEvent::line)) return place_text(record);
     const std::string detail = detail_text(record);
-    return place_text(record) + ": " + program_event_text(record) + (detail.empty() ? detail : ", " + detail);
+    const std::uint32_t starvations = recorded_starvations(record);
+    return place_text(record) + ": " + program_event_text(record) +
+           (detail.empty() ? detail : ", " + detail) +
+           (starvations > 1 ? " " + std::to_string(starvations) + " times" : std::string{});
 }
 
 Json program_record_json(const FlightRecord& record) {
@@ -58,6 +61,8 @@ Json program_record_json(const FlightRecord& record) {
     const std::string detail = detail_text(record);
     const Json told = detail.empty() ? Json(nullptr) : Json(detail);
     if (is_of_program(record, ProgramEvent::held)) object["hold"] = told;
+    if (const std::uint32_t starvations = recorded_starvations(record); starvations > 0)
+        object["starvations"] = starvations;
     if (is_of_program(record, ProgramEvent::ended)) object["how"] = told;
     return object;
 }

@@ -106,13 +106,17 @@ std::string record_text(const FlightRecord& record) {
          {is_program ? program_record_text(record) : code_text(record), answer_text(record)}) {
         if (!word.empty()) text += " " + word;
     }
-    if (record.axis < kAxisCount) text += " " + std::string{name_of(static_cast<Axis>(record.axis))};
+    const bool has_axis = record.axis < kAxisCount && !is_program;
+    if (has_axis) text += " " + std::string{name_of(static_cast<Axis>(record.axis))};
     if (record.kind == RecordKind::input_edge)
         text += " tripped: " + signals_text(record.signals, kInputMask);
     const bool is_target =
         record.kind == RecordKind::order && static_cast<OrderPart>(record.code) == OrderPart::target;
-    const bool is_override =
-        record.kind == RecordKind::command && static_cast<CommandKind>(record.code) == CommandKind::override;
+    const bool is_override = record.kind == RecordKind::command &&
+                             (static_cast<CommandKind>(record.code) == CommandKind::override ||
+                              static_cast<CommandKind>(record.code) == CommandKind::rapid_override);
+    if (record.kind == RecordKind::command && static_cast<CommandKind>(record.code) == CommandKind::single)
+        text += record.value != 0 ? " on" : " off";
     if (record.kind == RecordKind::alarm || record.kind == RecordKind::job ||
         record.kind == RecordKind::home_latch || is_target || is_override) {
         text += " " + std::to_string(record.value);
@@ -134,8 +138,9 @@ nlohmann::ordered_json record_json(const FlightRecord& record) {
     return {{"tick", record.tick},
             {"kind", kind_text(record.kind)},
             {"code", code.empty() ? Json(record.code) : Json(code)},
-            {"axis", record.axis < kAxisCount ? Json(std::string{name_of(static_cast<Axis>(record.axis))})
-                                              : Json(nullptr)},
+            {"axis", record.axis < kAxisCount && record.kind != RecordKind::program
+                         ? Json(std::string{name_of(static_cast<Axis>(record.axis))})
+                         : Json(nullptr)},
             {"answer", answer.empty() ? Json(nullptr) : Json(answer)},
             {"signals", record.signals},
             {"value", record.value},

@@ -157,6 +157,7 @@ nlohmann::ordered_json status_json(const CoreStatus& status, const TableSize& ta
             {"period_ns", status.period_ns},
             {"heartbeat", status.heartbeat},
             {"override_percent", status.override_percent},
+            {"rapid_override_percent", rapid_override_percent(status)},
             {"waited_ticks", status.waited_ticks},
             {"missed_ticks", status.missed_ticks},
             {"max_lateness_ns", status.max_lateness_ns},

@@ -71,12 +71,16 @@ void MachineSession::poll() {
     jog_.poll();
     for (Message& message : changes_between(before, view_)) log_.add(std::move(message));
     go_on_with_start();
-    if (wanted_override_percent_ && orders_.is_idle()) {
-        Command command{};
-        command.kind = CommandKind::override;
-        command.value = *std::exchange(wanted_override_percent_, std::nullopt);
-        send(command, phrase("Feed override"), {});  // no reason to drop a start that is under way
-    }
+    send_override(CommandKind::override, wanted_override_percent_, phrase("Feed override"));
+    send_override(CommandKind::rapid_override, wanted_rapid_percent_, phrase("Override of rapids"));
+}
+
+// One after another; no reason to drop a start that is under way.
+void MachineSession::send_override(CommandKind kind, std::optional<std::uint32_t>& wanted_percent,
+                                   const Phrase& name) {
+    if (!wanted_percent || !orders_.is_idle()) return;
+    const double percent = *std::exchange(wanted_percent, std::nullopt);
+    send(Command{kind, 0, percent, 0}, name, {});
 }
 
 void MachineSession::keep_attached() {
@@ -274,6 +278,7 @@ void MachineSession::forget_wishes() noexcept {
     intent_.drop();
     orders_.drop_waiting();
     wanted_override_percent_.reset();
+    wanted_rapid_percent_.reset();
     jog_.release();
     refused_.forget();
 }
@@ -374,7 +379,9 @@ void MachineSession::send(const Command& command, const Phrase& name, Then then,
                   segment = options_.segment_name, group = options_.group]() -> BackgroundQueue::Finish {
         auto link = MachineLink::attach(segment, group);
         const auto sent = link ? link->send(command) : Result<void>{link.error()};
-        if (sent && command.kind == CommandKind::override) return then;
+        const bool is_turned_at =
+            command.kind == CommandKind::override || command.kind == CommandKind::rapid_override;
+        if (sent && is_turned_at) return then;
         if (sent)
             return [this, name, then, remark = link->command_remark()] {
                 Phrase asked = phrase("Asked for: %1");

@@ -90,8 +90,14 @@ public:
     void set_override(std::uint32_t percent) noexcept {
         if (!watches_only_) wanted_override_percent_ = percent;
     }
-    /// The core may still show the old percentage.
-    bool is_override_under_way() const { return wanted_override_percent_ || !orders_.is_idle(); }
+    /// The same of a program's rapid ways.
+    void set_rapid_override(std::uint32_t percent) noexcept {
+        if (!watches_only_) wanted_rapid_percent_ = percent;
+    }
+    /// The core may still show the old percentages.
+    bool is_override_under_way() const {
+        return wanted_override_percent_ || wanted_rapid_percent_ || !orders_.is_idle();
+    }
     /// The last order that was refused, while that holds; also a jog or an output's test.
     const std::optional<OrderRefusal>& refused_order() const noexcept { return refused_.told(); }
     /// The fields that such an order would use have changed.
@@ -132,6 +138,7 @@ private:
     void deliver_forgetting();
     void go_on_with_start();
     void forget_wishes() noexcept;
+    void send_override(CommandKind kind, std::optional<std::uint32_t>& wanted_percent, const Phrase& name);
     void tell_remark(const Phrase& name, const psicarve::Message& remark);
     void tell_refusal(OrderPlace place, const Phrase& name, const Error& why);
 
@@ -155,6 +162,7 @@ private:
     bool has_looked_ = false;  ///< has looked for a core, and knows whether one was there
     bool watches_only_ = false;
     std::optional<std::uint32_t> wanted_override_percent_;
+    std::optional<std::uint32_t> wanted_rapid_percent_;
     RefusedOrder refused_;
     std::uint64_t jogs_asked_ = 0;
     std::string told_remark_;  ///< the last, in English: a key that is pressed again says nothing new

@@ -110,6 +110,12 @@ void tell_job(const CoreStatus& before, const CoreStatus& after, std::vector<Mes
                                phrase("Feed override %1 % → %2 %", std::to_string(before.override_percent),
                                       std::to_string(after.override_percent))));
     }
+    const std::uint32_t rapid_before = rapid_override_percent(before);
+    const std::uint32_t rapid_after = rapid_override_percent(after);
+    if (rapid_before != rapid_after)
+        told.push_back(
+            message(Severity::info, phrase("Override of rapids %1 % → %2 %", std::to_string(rapid_before),
+                                           std::to_string(rapid_after))));
 }
 
 void tell_profile(const MachineView& before, const MachineView& after, std::vector<Message>& told) {

@@ -828,6 +828,10 @@
             <translation>1 об.</translation>
         </message>
         <message>
+            <source>10 to 100 per cent of the speed of rapid ways, whole</source>
+            <translation>от 10 до 100 процентов скорости быстрых перемещений, целое число</translation>
+        </message>
+        <message>
             <source>10 to 200 per cent of the planned feed, whole</source>
             <translation>от 10 до 200 % плановой подачи, целым числом</translation>
         </message>
@@ -3213,6 +3217,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Из 16 бит изображения взято 8: его отсчёты записаны отдельными плоскостями.</translation>
         </message>
         <message>
+            <source>Of the rapid ways of a program in G-code</source>
+            <translation>Для быстрых перемещений программы в G-коде</translation>
+        </message>
+        <message>
             <source>Of the tool where it is widest.</source>
             <translation>Диаметр инструмента в самом широком месте.</translation>
         </message>
@@ -3371,6 +3379,18 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Output to test</source>
             <translation>Проверяемый выход</translation>
+        </message>
+        <message>
+            <source>Override of rapids</source>
+            <translation>Коррекция быстрых перемещений</translation>
+        </message>
+        <message>
+            <source>Override of rapids %1 %</source>
+            <translation>Коррекция быстрых перемещений %1 %</translation>
+        </message>
+        <message>
+            <source>Override of rapids %1 % → %2 %</source>
+            <translation>Коррекция быстрых перемещений %1 % → %2 %</translation>
         </message>
         <message>
             <source>P is a number of an output</source>
@@ -3877,6 +3897,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Радиус обрабатываемого цилиндра, вне которого движутся головки; 0: наибольший радиус задания.</translation>
         </message>
         <message>
+            <source>Rapids</source>
+            <translation>Быстрые</translation>
+        </message>
+        <message>
             <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
             <translation>Прочитано с выводов: в трассе нет самописца. Щелчок ведёт к записи.</translation>
         </message>
@@ -4355,6 +4379,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Single block</source>
             <translation>Покадрово</translation>
+        </message>
+        <message>
+            <source>Single block off</source>
+            <translation>Покадрово выключено</translation>
+        </message>
+        <message>
+            <source>Single block on</source>
+            <translation>Покадрово включено</translation>
         </message>
         <message>
             <source>Size</source>
@@ -7627,6 +7659,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>штифта в %1 mm не бывает; возможно от %2 до %3 mm</translation>
         </message>
         <message>
+            <source>no program runs</source>
+            <translation>программа не выполняется</translation>
+        </message>
+        <message>
             <source>no radius is beyond that of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; larger radii, or a travel_mm that goes further in, carve more</source>
             <translation>ни один радиус не больше %1 mm, на котором кончается ход головок: получился бы только гладкий стержень; нужны большие радиусы или travel_mm дальше внутрь</translation>
         </message>
@@ -7869,6 +7905,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>override</source>
             <translation>коррекция</translation>
+        </message>
+        <message>
+            <source>override of rapids</source>
+            <translation>коррекция быстрых перемещений</translation>
         </message>
         <message>
             <source>own or follow</source>
@@ -8205,6 +8245,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>silent</source>
             <translation>молчит</translation>
+        </message>
+        <message>
+            <source>single</source>
+            <translation>покадрово</translation>
         </message>
         <message>
             <source>single block</source>

@@ -828,6 +828,10 @@
             <translation>1 圈</translation>
         </message>
         <message>
+            <source>10 to 100 per cent of the speed of rapid ways, whole</source>
+            <translation>快速移动速度的 10 至 100 %，整数</translation>
+        </message>
+        <message>
             <source>10 to 200 per cent of the planned feed, whole</source>
             <translation>计划进给的 10 到 200 %，整数</translation>
         </message>
@@ -3212,6 +3216,10 @@ N、Shift+N  下一条、上一条记录
             <translation>图片的各通道分平面存放，16 位中只取 8 位。</translation>
         </message>
         <message>
+            <source>Of the rapid ways of a program in G-code</source>
+            <translation>用于 G 代码程序的快速移动</translation>
+        </message>
+        <message>
             <source>Of the tool where it is widest.</source>
             <translation>刀具最宽处的直径。</translation>
         </message>
@@ -3370,6 +3378,18 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Output to test</source>
             <translation>要测试的输出</translation>
+        </message>
+        <message>
+            <source>Override of rapids</source>
+            <translation>快速倍率</translation>
+        </message>
+        <message>
+            <source>Override of rapids %1 %</source>
+            <translation>快速倍率 %1 %</translation>
+        </message>
+        <message>
+            <source>Override of rapids %1 % → %2 %</source>
+            <translation>快速倍率 %1 % → %2 %</translation>
         </message>
         <message>
             <source>P is a number of an output</source>
@@ -3872,6 +3892,10 @@ N、Shift+N  下一条、上一条记录
             <translation>被雕刻圆柱的半径，刀头在其外移动；0：取任务中的最大半径。</translation>
         </message>
         <message>
+            <source>Rapids</source>
+            <translation>快速</translation>
+        </message>
+        <message>
             <source>Read off the pins: a trace has no flight recorder. A click goes to an entry.</source>
             <translation>由引脚读出：轨迹中没有飞行记录。单击转到该条。</translation>
         </message>
@@ -4350,6 +4374,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Single block</source>
             <translation>单段</translation>
+        </message>
+        <message>
+            <source>Single block off</source>
+            <translation>单段关</translation>
+        </message>
+        <message>
+            <source>Single block on</source>
+            <translation>单段开</translation>
         </message>
         <message>
             <source>Size</source>
@@ -7620,6 +7652,10 @@ N、Shift+N  下一条、上一条记录
             <translation>没有 %1 mm 的销；可为 %2 至 %3 mm</translation>
         </message>
         <message>
+            <source>no program runs</source>
+            <translation>没有程序在运行</translation>
+        </message>
+        <message>
             <source>no radius is beyond that of %1 mm at which the heads' travel ends: nothing but a plain rod would be carved; larger radii, or a travel_mm that goes further in, carve more</source>
             <translation>没有半径超出刀头行程终点的 %1 mm：只会雕出一根光杆；请用更大的半径，或让 travel_mm 更靠内</translation>
         </message>
@@ -7862,6 +7898,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>override</source>
             <translation>倍率</translation>
+        </message>
+        <message>
+            <source>override of rapids</source>
+            <translation>快速倍率</translation>
         </message>
         <message>
             <source>own or follow</source>
@@ -8198,6 +8238,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>silent</source>
             <translation>无响应</translation>
+        </message>
+        <message>
+            <source>single</source>
+            <translation>单段</translation>
         </message>
         <message>
             <source>single block</source>

@@ -28,6 +28,7 @@
 #include "hmi/ui/program_ground.hpp"
 #include "hmi/ui/program_path_view.hpp"
 #include "hmi/ui/program_text_view.hpp"
+#include "hmi/ui/rapid_override.hpp"
 #include "hmi/ui/settings.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
@@ -131,7 +132,7 @@ TickBox* ProgramPage::switch_box(const char* name, const QString& text, const QS
 QLayout* ProgramPage::make_switches() {
     program::RunSwitches& switches = context_.program.switches;
     single_ = switch_box("program_single", tr("Single block"), tr("Holds behind each block; Resume goes on"),
-                         [&switches](bool is_on) { switches.is_single = is_on; });
+                         [this](bool is_on) { switch_single(is_on); });
     optional_ = switch_box("program_optional", tr("Optional stop"), tr("Holds at M1"),
                            [&switches](bool is_on) { switches.stops_at_optional = is_on; });
     delete_ = switch_box("program_delete", tr("Block delete"), tr("Leaves out blocks that begin with /"),
@@ -160,7 +161,21 @@ QLayout* ProgramPage::make_switches() {
     beside->addWidget(role_label("label", tr("From line")));
     beside->addWidget(from_line_);
     row->addWidget(from);
+    rapids_ = new RapidOverride{context_};
+    row->addWidget(rapids_);
     return row;
+}
+
+// While a program runs that one is meant, whoever has started it.
+void ProgramPage::switch_single(bool is_on) {
+    if (context_.program_report.status.is_running == 0) {
+        context_.program.switches.is_single = is_on;
+        return;
+    }
+    Command command{};
+    command.kind = CommandKind::single;
+    command.value = is_on ? 1.0 : 0.0;
+    context_.machine.order(command, session::phrase("Single block"));
 }
 
 QLayout* ProgramPage::make_views() {
@@ -297,7 +312,13 @@ void ProgramPage::show_switches() {
         const QSignalBlocker no_wish{box};
         box.setChecked(is_on);
     };
-    show(*single_, shown.is_single);
+    const ProgramStatus& running = context_.program_report.status;
+    // What was asked for is shown until it is answered.
+    if (running.is_running == 0) {
+        show(*single_, shown.is_single);
+    } else if (!context_.machine.has_orders()) {
+        show(*single_, running.is_single != 0);
+    }
     show(*optional_, shown.stops_at_optional);
     show(*delete_, shown.skips_deleted);
     show(*dry_, shown.is_dry);
@@ -311,8 +332,8 @@ void ProgramPage::show_switches() {
                           static_cast<QWidget*>(delete_), static_cast<QWidget*>(dry_)}) {
         const QVariant hint = part->property("hint");
         if (!hint.isValid()) part->setProperty("hint", part->toolTip());
-        lock_with(*part,
-                  desk.is_under_way() ? tr("A program that runs keeps what it was started with") : QString{},
+        const bool is_kept = desk.is_under_way() && (part != single_ || running.is_running == 0);
+        lock_with(*part, is_kept ? tr("A program that runs keeps what it was started with") : QString{},
                   part->property("hint").toString());
     }
     from_line_->setEnabled(!desk.is_under_way() && desk.program() != nullptr);
@@ -347,6 +368,7 @@ void ProgramPage::refresh() {
     if (!isVisible()) return;
     show_buttons();
     show_switches();
+    rapids_->refresh();
     const QString state = state_text();
     if (state_->text() != state) state_->setText(state);
     state_->setVisible(!state.isEmpty());

@@ -29,6 +29,7 @@ class ElidedLabel;
 class MdiLine;
 class ProgramPathView;
 class ProgramTextView;
+class RapidOverride;
 class TickBox;
 
 /// A program in G-code: its text, what is wrong with it, its path, how it is run and where it is; and one
@@ -56,6 +57,7 @@ private:
     QLayout* make_views();
     TickBox* switch_box(const char* name, const QString& text, const QString& hint,
                         std::function<void(bool)> take);
+    void switch_single(bool is_on);
     void make_problems();
     void start();
     void show_program();
@@ -80,6 +82,7 @@ private:
     TickBox* delete_ = nullptr;
     TickBox* dry_ = nullptr;
     QSpinBox* from_line_ = nullptr;
+    RapidOverride* rapids_ = nullptr;
     ActionButton* start_ = nullptr;
     ActionButton* stop_ = nullptr;
     QLabel* state_;

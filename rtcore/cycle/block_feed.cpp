@@ -22,8 +22,7 @@ bool BlockFeed::take_first() noexcept {
         blocks_->size() < std::min<std::size_t>(front.group_blocks, kGroupStartBlocks)) {
         return false;
     }
-    block_ = front;
-    blocks_->pop();
+    take(front);
     group_blocks_left_ = block_.group_blocks > 0 ? block_.group_blocks - 1 : 0;
     return true;
 }
@@ -31,8 +30,7 @@ bool BlockFeed::take_first() noexcept {
 bool BlockFeed::take_next_of_group() noexcept {
     const MotionBlock* const next = next_of_group();
     if (next == nullptr) return false;
-    block_ = *next;
-    blocks_->pop();
+    take(*next);
     --group_blocks_left_;
     return true;
 }
@@ -54,10 +52,21 @@ bool BlockFeed::has_next_group() const noexcept {
 
 bool BlockFeed::take_next_group() noexcept {
     if (!has_next_group()) return false;
-    block_ = *blocks_->front();
-    blocks_->pop();
+    take(*blocks_->front());
     group_blocks_left_ = block_.group_blocks - 1;
     return true;
+}
+
+void BlockFeed::take(const MotionBlock& front) noexcept {
+    block_ = front;
+    blocks_->pop();
+    ++number_;
+}
+
+const MotionBlock* BlockFeed::numbered(std::uint64_t number) const noexcept {
+    if (number == number_) return &block_;
+    const MotionBlock* const queued = blocks_->ahead(static_cast<std::size_t>(number - number_ - 1));
+    return queued != nullptr && queued->epoch == epoch_ ? queued : nullptr;
 }
 
 bool BlockFeed::drop_foreign_blocks() noexcept {

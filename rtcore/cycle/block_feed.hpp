@@ -23,6 +23,7 @@ public:
         pause_ticks_left_ = 0;
         group_blocks_left_ = 0;
         set_program_line(block_, 0);
+        block_.ends_line = 0;
     }
 
     /// At rest, every tick. True: the block at hand is the next of the plan, the first of its group. False:
@@ -50,6 +51,17 @@ public:
     /// Requires is_last_of_group(). False: there is no next group yet, or none; the block at hand stays.
     bool take_next_group() noexcept;
     const MotionBlock& block() const noexcept { return block_; }
+    /// How many blocks were taken, that at hand included: its number.
+    std::uint64_t number() const noexcept { return number_; }
+    /// The block at hand or one that is queued behind it; nullptr: not queued.
+    const MotionBlock* numbered(std::uint64_t number) const noexcept;
+    /// Of the group, behind the block at hand.
+    std::uint32_t blocks_left() const noexcept { return group_blocks_left_; }
+    /// At rest: with the block at hand a program's line has ended, and nothing of it goes on. Asked again:
+    /// false.
+    bool take_line_end() noexcept {
+        return pause_ticks_left_ == 0 && std::exchange(block_.ends_line, std::uint8_t{0}) != 0;
+    }
     /// An axis of the block at hand goes so much further.
     void lengthen(std::size_t axis, std::int64_t extra_pulses) noexcept {
         block_.delta_pulses[axis] += extra_pulses;
@@ -58,11 +70,13 @@ public:
     std::uint32_t take_points() noexcept { return std::exchange(block_.reaches_points, std::uint8_t{0}); }
 
 private:
+    void take(const MotionBlock& front) noexcept;
     bool drop_foreign_blocks() noexcept;
 
     BlockRing* blocks_;
     MotionBlock block_{};
     std::uint32_t epoch_ = 0;
+    std::uint64_t number_ = 0;
     std::uint32_t group_blocks_left_ = 0;
     std::int64_t pause_ticks_left_ = 0;
 };

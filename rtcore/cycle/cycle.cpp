@@ -161,6 +161,7 @@ void Cycle::after_step(Motion::Progress progress) noexcept {
     if ((progress & E::kAtRest) != 0) came_to_rest();
     if ((progress & Motion::kLifted) != 0) apply(MachineEvent::at_rest);
     if ((progress & E::kHalted) != 0) halt_program(motion_.halt());
+    if ((progress & E::kLineDone) != 0) line_done();
     if ((progress & E::kProgramEnd) != 0) program_done();
 }
 

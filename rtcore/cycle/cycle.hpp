@@ -146,6 +146,7 @@ private:
     Refusal resume() noexcept;
     Refusal load_job(const Request& request) noexcept;
     Refusal take_override(std::uint64_t percent) noexcept;
+    Refusal take_rapid_override(std::uint64_t percent) noexcept;
     Refusal record(const Request& request) noexcept;
     // cycle_moves.cpp: jogs, moves, the spindle by hand
     Verdict start_move(const Request& request) noexcept;
@@ -154,6 +155,8 @@ private:
     Refusal switch_spindle(bool on) noexcept;
     // cycle_program.cpp: a program of motion records
     Refusal start_program(const Request& request) noexcept;
+    Refusal switch_single(bool is_on) noexcept;
+    void line_done() noexcept;
     void watch_supply() noexcept;
     void halt_program(ProgramHold hold) noexcept;
     void rest_in_program() noexcept;
@@ -162,6 +165,7 @@ private:
     void program_of_records_done() noexcept;
     void note_program_line() noexcept;
     void tell_program(ProgramEvent event, std::uint8_t detail = 0) noexcept;
+    void tell_starvations() noexcept;
     void tell_program_line() noexcept;
     void tell_program_of(MachineState left, MachineState entered) noexcept;
     ProgramEnding ending_in(MachineState entered) const noexcept;
@@ -174,6 +178,12 @@ private:
 
     bool carves_job() const noexcept { return state_ == MachineState::carving && !program_.is_on(); }
     bool carves_program() const noexcept { return state_ == MachineState::carving && program_.is_on(); }
+    /// Into a starving program's rest and out of it: what is told of that is how often it was.
+    bool starves_into(MachineState state) const noexcept {
+        return program_.is_on() && program_.is_starved() &&
+               (state == MachineState::holding || state == MachineState::held ||
+                state == MachineState::carving);
+    }
     bool executes() const noexcept { return (kExecutingStates >> static_cast<unsigned>(state_) & 1U) != 0; }
     bool cause_remains() const noexcept {
         return ((inputs_.raw() | inputs_.accepted()) & (kLimitMask | kEstopBit)) != 0;

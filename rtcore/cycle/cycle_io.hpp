@@ -40,7 +40,9 @@ enum class RequestKind : std::uint8_t {
     record,      ///< value: RecordingForm; lease_token: whose, 0 at the end: whoever's
     test_pin,    ///< value: a PinOrder, packed; lease
     drives_off,
-    run_program,  ///< value: its number; axis: not 0: a halt after each of its blocks
+    run_program,     ///< value: its number; axis: not 0: a halt after each of its blocks
+    single,          ///< value: 1: a running program rests at the end of each line, 0: it does not
+    rapid_override,  ///< value: per cent of the speed of a program's rapid ways
 };
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
@@ -70,8 +72,10 @@ enum class Refusal : std::uint8_t {
     outside_travel,      ///< these four name their axis in the answer's record
     inside_core_radius,
     heads_too_close,
-    at_the_end,    ///< no way is left in this direction
-    bad_override,  ///< beyond 10 to 200 per cent
+    at_the_end,          ///< no way is left in this direction
+    bad_override,        ///< beyond 10 to 200 per cent
+    bad_rapid_override,  ///< beyond 10 to 100 per cent
+    no_program,          ///< none runs
     no_such_layer,
     not_an_arc,        ///< begin and end are not as far from the centre, or it is too small
     recording,         ///< another process has the pins recorded, or nobody can
@@ -120,6 +124,7 @@ struct Sample {
     std::uint64_t missed_ticks;
     std::uint64_t waited_ticks;
     std::uint64_t override_percent;
+    std::uint64_t rapid_override_percent;
     std::uint64_t trace_lost;
     std::uint64_t reports_lost;
     std::uint64_t increments_lost;

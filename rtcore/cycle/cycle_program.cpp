@@ -10,14 +10,34 @@ Refusal Cycle::start_program(const Request& request) noexcept {
     program_.begin(request.value, request.axis != 0);
     tell_program(ProgramEvent::begun, program_.status().is_single);
     pulses_.clear_emitted();
+    motion_.set_line_by_line(request.axis != 0);
     apply(MachineEvent::run_program);
     request_plan(PlanKind::program);
     return Refusal::none;
 }
 
+Refusal Cycle::switch_single(bool is_on) noexcept {
+    if (!program_.is_on()) return Refusal::no_program;
+    if (state_ == MachineState::stopping) return Refusal::not_in_this_state;
+    program_.set_single(is_on);
+    motion_.set_line_by_line(is_on);
+    return Refusal::none;
+}
+
+// A hold, a stop or an alarm that was asked for meanwhile goes on from this rest.
+void Cycle::line_done() noexcept {
+    if (carves_program() && alarm_.awaited() == AlarmCause::none) {
+        halt_program(ProgramHold::single);
+    } else {
+        came_to_rest();
+    }
+}
+
 // Once there is nothing to do: it has come to rest by itself, on a point of the program.
 void Cycle::watch_supply() noexcept {
-    if (program_.runs_out(motion_.has_run_out())) rest_in_program();
+    if (!program_.runs_out(motion_.has_run_out())) return;
+    if (program_.may_tell_starvations(clock_.tick())) tell_starvations();
+    rest_in_program();
 }
 
 void Cycle::halt_program(ProgramHold hold) noexcept {
@@ -33,8 +53,8 @@ void Cycle::rest_in_program() noexcept {
 
 void Cycle::go_on_when_fed() noexcept {
     if (!motion_.has_block()) return;
-    program_.go_on();
     apply(MachineEvent::resume);
+    program_.go_on();
 }
 
 // Whoever asks a starving program to hold wants it to stay so when records come.
@@ -42,6 +62,7 @@ bool Cycle::holds_starved_program() noexcept {
     if (state_ != MachineState::held || !program_.is_starved()) return false;
     program_.wait_for(ProgramHold::none);
     tell_program(ProgramEvent::held);
+    reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state_));
     publisher_.ask(clock_.tick());
     return true;
 }
@@ -60,9 +81,16 @@ void Cycle::note_program_line() noexcept {
 }
 
 void Cycle::tell_program(ProgramEvent event, std::uint8_t detail) noexcept {
+    if (program_.untold_starvations() > 0) tell_starvations();
     const ProgramStatus program = program_status();
     reporter_.report_program(event, detail, program);
     program_.note_told(program.sequence, clock_.tick());
+}
+
+// A writer that is late again and again would push all else out of the recorder.
+void Cycle::tell_starvations() noexcept {
+    reporter_.report_starvations(program_.untold_starvations(), program_status());
+    program_.note_starvations_told(clock_.tick());
 }
 
 void Cycle::tell_program_line() noexcept {

@@ -49,6 +49,10 @@ Verdict Cycle::judge(const Request& request) noexcept {
             return {switch_spindle(request.value != 0)};
         case RequestKind::override:
             return {take_override(request.value)};
+        case RequestKind::single:
+            return {switch_single(request.value != 0)};
+        case RequestKind::rapid_override:
+            return {take_rapid_override(request.value)};
         case RequestKind::record:
             return {record(request)};
         case RequestKind::test_pin:
@@ -134,6 +138,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
     }
     job_.load(request.value, request.points_total, request.points_per_layer);
     motion_.begin_points(0);
+    motion_.set_rapid_ratio(job_.rapid_ratio());
     publisher_.ask(clock_.tick());
     return Refusal::none;
 }
@@ -147,6 +152,15 @@ Refusal Cycle::take_override(std::uint64_t percent) noexcept {
     if (percent < kLeastOverride_percent || percent > kMostOverride_percent) return Refusal::bad_override;
     job_.set_override(percent);
     motion_.set_feed_ratio(feed_ratio((kCarving >> static_cast<unsigned>(state_) & 1U) != 0));
+    publisher_.ask(clock_.tick());
+    return Refusal::none;
+}
+
+// In any state, and as long as the feed's: nothing but programs has ways that it is for.
+Refusal Cycle::take_rapid_override(std::uint64_t percent) noexcept {
+    if (percent < kLeastOverride_percent || percent > kFullFeed_percent) return Refusal::bad_rapid_override;
+    job_.set_rapid_override(percent);
+    motion_.set_rapid_ratio(job_.rapid_ratio());
     publisher_.ask(clock_.tick());
     return Refusal::none;
 }

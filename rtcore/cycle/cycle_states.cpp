@@ -16,6 +16,8 @@ void Cycle::enter(MachineState state) noexcept {
     if (state_ == MachineState::testing) pulses_.force(0);
     const MachineState left = state_;
     state_ = state;
+    publisher_.ask(clock_.tick());
+    if (starves_into(state)) return;
     if (program_.is_on()) tell_program_of(left, state);
     if (state == MachineState::ready || state == MachineState::off || state == MachineState::alarm)
         program_.end();
@@ -25,7 +27,6 @@ void Cycle::enter(MachineState state) noexcept {
     if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, clock_.tick());
     if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, clock_.tick());
     reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state));
-    publisher_.ask(clock_.tick());
 }
 
 void Cycle::program_done() noexcept {

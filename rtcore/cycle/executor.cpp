@@ -10,6 +10,10 @@ void Executor::reset(std::uint32_t epoch) noexcept {
     search_.end_homing();
     take_up_.end();
     in_motion_ = false;
+    has_line_ended_ = false;
+    starts_again_ = false;
+    line_stop_.forget();
+    pace_.unbound();
     go_on();
     still_axes_ = 0;
     pulses_->forget_waiting();
@@ -27,11 +31,37 @@ void Executor::go_on_after_lift(std::uint64_t tick) noexcept {
 
 void Executor::set_feed_ratio(double feed_ratio) noexcept {
     feed_ratio_ = feed_ratio;
-    if (!slowing_) pace_.aim(feed_ratio);
     const double up_to_plan = std::min(feed_ratio, 1.0);
     profile_.set_ratio(up_to_plan);
     fine_.set_ratio(up_to_plan);
-    take_up_.set_ratio(up_to_plan);
+    aim();
+}
+
+void Executor::set_rapid_ratio(double rapid_ratio) noexcept {
+    rapid_ratio_ = rapid_ratio;
+    aim();
+}
+
+// As fast as the overrides allow for the block at hand. A feed above 100 % is that of rapid ways, too: their
+// plan for it is no faster but at their ends, and so there is no step where one kind follows the other.
+void Executor::aim() noexcept {
+    if (block().way == WayKind::feed) {
+        if (!slowing_) pace_.aim(feed_ratio_);
+        take_up_.set_ratio(std::min(feed_ratio_, 1.0));
+    } else {
+        if (!slowing_) pace_.aim(std::max(feed_ratio_, 1.0), rapid_part());
+        take_up_.set_ratio(rapid_part());
+    }
+}
+
+// Before the block at hand begins.
+void Executor::enter_way() noexcept {
+    is_near_feed_ = block().way == WayKind::to_feed && block().path.feed_from <= 0.0F;
+    aim();
+}
+
+double Executor::rapid_part() const noexcept {
+    return is_near_feed_ ? std::min(rapid_ratio_, feed_ratio_) : rapid_ratio_;
 }
 
 std::uint32_t Executor::axes_in_motion() const noexcept {
@@ -60,7 +90,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
             feed_.pause(block().ticks);
             return kNothing;
         case BlockKind::halt:
-            return kHalted;
+            return block().halt == ProgramHold::single && !is_line_by_line_ ? kNothing : kHalted;
         case BlockKind::program_end:
             break;
     }
@@ -71,6 +101,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
 Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
     search_.begin(block());
     in_motion_ = true;
+    enter_way();
     if (block().kind == BlockKind::path) return begin_path(tick);
     const std::uint8_t homing_axis = search_.homing_axis();
     if (block().kind == BlockKind::move && homing_axis != kNoAxis) {
@@ -84,6 +115,11 @@ Executor::Progress Executor::begin_motion(std::uint64_t tick) noexcept {
 
 Executor::Progress Executor::advance(std::uint64_t tick) noexcept {
     if (take_up_.is_on()) return advance_take_up(tick);
+    if (has_line_ended_) {
+        if (pulses_->is_gate_shut()) return kNothing;
+        has_line_ended_ = false;
+        return kLineDone;
+    }
     Progress progress = kNothing;
     bool must_slow = slowing_;
     if (search_.is_on()) {

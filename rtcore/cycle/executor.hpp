@@ -8,6 +8,7 @@
 #include "rtcore/cycle/fine_move.hpp"
 #include "rtcore/cycle/inputs.hpp"
 #include "rtcore/cycle/iterations.hpp"
+#include "rtcore/cycle/line_stop.hpp"
 #include "rtcore/cycle/linear_profile.hpp"
 #include "rtcore/cycle/motion_block.hpp"
 #include "rtcore/cycle/path_pace.hpp"
@@ -27,7 +28,7 @@ namespace psicarve::cycle {
 ///
 /// Before any of them TakeUp may cross the gaps of screws. While the pins keep a pulse waiting, the time of a
 /// line or a move stands still; that of a path runs on as PathPace says. Knows nothing of machine states. The
-/// config outlives it. RT: yes.
+/// config outlives it. RT: yes. Twenty members: parts, and what of the motion at hand is none of theirs.
 class Executor {
 public:
     /// What happened in a tick, as bits.
@@ -39,9 +40,10 @@ public:
     static constexpr Progress kDefined = 8;       ///< the same, without a sensor
     static constexpr Progress kAtRest = 16;       ///< slowed down as asked; motion stands on an iteration
     static constexpr Progress kProgramEnd = 32;
-    static constexpr Progress kNotFound = 64;  ///< the sensor of latch_axis() did not do what it should
-    static constexpr Progress kStarved = 128;  ///< a group's next block is not there, or is none that ends
-    static constexpr Progress kHalted = 512;   ///< a program's halt: halt() says why
+    static constexpr Progress kNotFound = 64;    ///< the sensor of latch_axis() did not do what it should
+    static constexpr Progress kStarved = 128;    ///< a group's next block is not there, or is none that ends
+    static constexpr Progress kHalted = 512;     ///< a program's halt: halt() says why
+    static constexpr Progress kLineDone = 1024;  ///< line by line: it rests where a program's line ends
 
     Executor(const CycleConfig& config, BlockRing& blocks, PulseStage& pulses, const Inputs& inputs) noexcept
         : pulses_(&pulses),
@@ -55,6 +57,7 @@ public:
         if (in_motion_) return advance(tick);
         if (pulses_->is_gate_shut()) return kNothing;
         if (slowing_) return kAtRest;
+        if (is_line_by_line_ && feed_.take_line_end()) return kLineDone;
         return feed_.take_first() ? begin(tick) : kNothing;
     }
 
@@ -64,14 +67,19 @@ public:
         pace_.aim(0.0);
     }
     void go_on() noexcept {
-        slowing_ = false;
-        pace_.aim(feed_ratio_);
+        slowing_ = has_line_ended_;
+        aim();
     }
     /// The heads have been elsewhere and are back: as go_on(), with the path's directions.
     void go_on_after_lift(std::uint64_t tick) noexcept;
     /// So much of the planned feed from the next step on, 0.1 to 2. Paths only know more than 1: lines and
     /// moves keep to their plan then.
     void set_feed_ratio(double feed_ratio) noexcept;
+    /// So much of the speed of rapid ways from the next step on, 0.1 to 1.
+    void set_rapid_ratio(double rapid_ratio) noexcept;
+    /// From now on a program rests where a line ends, on its path: at the first end that a brake reaches.
+    /// Halts that a plan has for the same are passed over otherwise.
+    void set_line_by_line(bool is_on) noexcept;
     /// From the next block on these axes (bit by axis) stand still: the pulses that they would have are not
     /// sent, all else is as it would be. None after reset().
     void set_still_axes(std::uint32_t axes) noexcept { still_axes_ = axes; }
@@ -112,6 +120,9 @@ private:
     void turn_axes(std::uint64_t tick) noexcept;
     bool is_slowest() const noexcept;
     void rest() noexcept;
+    void aim() noexcept;
+    void enter_way() noexcept;
+    double rapid_part() const noexcept;
     Progress reached() noexcept;
     Progress watch_sensor() noexcept;
     Progress define(std::int64_t correction, Progress what) noexcept;
@@ -125,8 +136,15 @@ private:
     // executor_path.cpp: path segments
     Progress begin_path(std::uint64_t tick) noexcept;
     Progress advance_path(std::uint64_t tick) noexcept;
+    void enter_segment(std::uint64_t tick) noexcept;
     void turn_for_segment(std::uint64_t tick) noexcept;
     void turn_idle_axes(std::uint64_t tick) noexcept;
+    // executor_halts.cpp: rests at the ends of a program's lines
+    void look_for_line_end() noexcept;
+    void look_at_rest() noexcept;
+    void bound_segment() noexcept;
+    bool rests_at_line_end() const noexcept;
+    void rest_at_line_end() noexcept;
 
     const MotionBlock& block() const noexcept { return feed_.block(); }
 
@@ -140,12 +158,18 @@ private:
     LinearProfile profile_;  ///< lines
     PathPace pace_;          ///< path segments
     FineMove fine_;          ///< moves
+    LineStop line_stop_;     ///< path segments, line by line
     TakeUp take_up_;         ///< is on: the block at hand has not begun, its axes cross their gaps first
 
     double feed_ratio_ = 1.0;
+    double rapid_ratio_ = 1.0;
+    bool is_near_feed_ = false;  ///< a rapid way has come to where the feed's override holds, too
     std::uint32_t still_axes_ = 0;
     bool in_motion_ = false;
     bool slowing_ = false;
+    bool is_line_by_line_ = false;
+    bool has_line_ended_ = false;  ///< it rests on the path for that, and kLineDone is not told yet
+    bool starts_again_ = false;    ///< the next segment begins behind such a rest
     std::int64_t latch_correction_ = 0;
 };
 

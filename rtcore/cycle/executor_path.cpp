@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "rtcore/cycle/executor.hpp"
 
 namespace psicarve::cycle {
@@ -8,9 +10,12 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
         in_motion_ = false;
         return kStarved;
     }
+    starts_again_ = false;
     iterations_.start_segment(block());
     pace_.cap(feed_.goes_on() && !feed_.has_next_group());
-    if (feed_.carries_on()) {
+    if (is_line_by_line_) look_at_rest();
+    bound_segment();
+    if (feed_.carries_on() || line_stop_.holds(feed_.number())) {
         pace_.start_again(block().path, iterations_.left());
     } else {
         pace_.start(block().path, iterations_.left());
@@ -23,6 +28,11 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
 // tick, while time goes on.
 Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
     if (pace_.is_capped() && feed_.has_next_group()) pace_.cap(false);
+    if (is_line_by_line_ && !starts_again_) look_for_line_end();
+    if (block().way == WayKind::to_feed && !is_near_feed_ && pace_.way() >= double{block().path.feed_from}) {
+        is_near_feed_ = true;
+        aim();
+    }
     pace_.tick();
     if (!iterations_.is_held() && pace_.is_due(iterations_.left())) iterations_.make();
     bool has_stepped = false;
@@ -38,6 +48,10 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
         }
         if (!pace_.is_at_end() || !iterations_.are_done()) return progress;
         progress |= reached();
+        if (rests_at_line_end()) {
+            rest_at_line_end();
+            return progress;
+        }
         if (feed_.is_last_of_group()) {
             // Capped, it has slowed down for a rest here.
             if (pace_.is_capped() || !feed_.take_next_group()) {
@@ -53,13 +67,24 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
             in_motion_ = false;
             return progress | kStarved;
         }
-        iterations_.start_segment(block());
-        pace_.next(block().path, iterations_.left());
-        turn_for_segment(tick);
+        enter_segment(tick);
         if (take_up_.is_on()) return progress;
         if (!has_stepped && pace_.is_due(iterations_.left())) iterations_.make();
     }
     return progress;
+}
+
+void Executor::enter_segment(std::uint64_t tick) noexcept {
+    iterations_.start_segment(block());
+    enter_way();
+    if (starts_again_ && is_line_by_line_) look_at_rest();
+    bound_segment();
+    if (std::exchange(starts_again_, false)) {
+        pace_.start_again(block().path, iterations_.left());
+    } else {
+        pace_.next(block().path, iterations_.left());
+    }
+    turn_for_segment(tick);
 }
 
 void Executor::turn_for_segment(std::uint64_t tick) noexcept {

@@ -12,6 +12,7 @@ void JobRun::load(std::uint64_t generation, std::uint64_t points_total,
     points_total_ = points_total;
     points_per_layer_ = points_per_layer;
     override_percent_ = kFullFeed_percent;
+    rapid_override_percent_ = kFullFeed_percent;
 }
 
 Refusal JobRun::judge(LayerRange layers) const noexcept {
@@ -49,6 +50,7 @@ void JobRun::show_in(Sample& sample) const noexcept {
     sample.carve_last_tick = carve_last_tick_;
     sample.job_end_tick = end_tick_;
     sample.override_percent = override_percent_;
+    sample.rapid_override_percent = rapid_override_percent_;
 }
 
 void JobRun::show_in(PlanRequest& request) const noexcept {

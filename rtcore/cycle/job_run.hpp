@@ -12,7 +12,7 @@ namespace psicarve::cycle {
 
 /// The job at hand and the run of its layers: which of them, when each part of the run began and ended, and
 /// in which layer psi was last known to be right. Its figures outlive the run, for the status, until the
-/// next. Twelve plain figures, all of which the status or the planner shows. RT: yes.
+/// next. Thirteen plain figures, all of which the status or the planner shows. RT: yes.
 class JobRun {
 public:
     /// The layers that an alarm affects. count 0: none.
@@ -21,7 +21,7 @@ public:
         std::uint16_t layer_count;
     };
 
-    /// Requires that no run is under way. The feed is as planned again.
+    /// Requires that no run is under way. Feed and rapid ways are as planned again.
     void load(std::uint64_t generation, std::uint64_t points_total, std::uint64_t points_per_layer) noexcept;
     /// none: these layers can be run.
     Refusal judge(LayerRange layers) const noexcept;
@@ -61,6 +61,9 @@ public:
         override_percent_ = std::min<std::uint64_t>(override_percent_, kFullFeed_percent);
     }
     double feed_ratio() const noexcept { return static_cast<double>(override_percent_) / 100.0; }
+    /// Of the speed of a program's rapid ways; stays as long as that of the feed does.
+    void set_rapid_override(std::uint64_t percent) noexcept { rapid_override_percent_ = percent; }
+    double rapid_ratio() const noexcept { return static_cast<double>(rapid_override_percent_) / 100.0; }
 
     void show_in(Sample& sample) const noexcept;
     void show_in(PlanRequest& request) const noexcept;
@@ -70,6 +73,7 @@ private:
     std::uint64_t points_total_ = 0;
     std::uint64_t points_per_layer_ = 0;
     std::uint64_t override_percent_ = kFullFeed_percent;
+    std::uint64_t rapid_override_percent_ = kFullFeed_percent;
     std::uint64_t first_layer_ = 0;
     std::uint64_t end_layer_ = 0;  ///< one past the last that is to be carved
     std::uint32_t index_layer_ =

@@ -41,6 +41,9 @@ public:
     bool ask(PlanRequest request, double feed_ratio, std::uint32_t still_axes) noexcept;
     void drop() noexcept;
     void set_feed_ratio(double feed_ratio) noexcept { executor_.set_feed_ratio(feed_ratio); }
+    void set_rapid_ratio(double rapid_ratio) noexcept { executor_.set_rapid_ratio(rapid_ratio); }
+
+    void set_line_by_line(bool is_on) noexcept { executor_.set_line_by_line(is_on); }
 
     /// Hold and resume: to rest on the path; heads on their way turn round.
     void hold() noexcept;

@@ -51,9 +51,18 @@ struct PathTiming {
     std::array<float, kAxisCount> accel_free;  ///< a_k / max|dq_k/du| here [u/s^2]; 1e30 when k does not move
     std::array<float, kAxisCount> accel_bend;  ///< max|d2q_k/du2| / max|dq_k/du| here [1/u]; 0 then
     float start_stop_speed;                    ///< du/dt that may begin and end in a jump [u/s]
+    float feed_from;  ///< WayKind::to_feed: from so far within the segment on; 0 where it is all of it [u]
     /// Groups that go on without a rest only: (du/dt)^2 at begin and end of a third profile, within all
     /// limits, that comes to rest where the group ends; at its begin no lower than [1] there.
     std::array<double, 2> rest_speed2;
+};
+
+/// Whose override is for a way.
+enum class WayKind : std::uint8_t {
+    feed,     ///< of a job, or a way in the material: the feed's
+    rapid,    ///< of a program, in the air: the rapids'
+    to_feed,  ///< the same, and from PathTiming::feed_from on a brake may end in a way in the material: there
+              ///< the lower of both
 };
 
 /// How a group of path segments is joined to its neighbours, as bits in each of its blocks.
@@ -78,6 +87,8 @@ struct MotionBlock {
     std::uint8_t joints;     ///< path: kGoesOn, kCarriesOn
     SwitchedOutputs switched_on;   ///< outputs: these go on; all others stay as they are
     SwitchedOutputs switched_off;  ///< outputs: these go off
+    WayKind way;                   ///< path
+    std::uint8_t ends_line;        ///< 1: a program's line ends with it
     std::uint32_t epoch;           ///< of the plan request it belongs to; others are dropped
     std::uint32_t group_blocks;    ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;

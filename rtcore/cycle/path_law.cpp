@@ -52,8 +52,8 @@ void PathLaw::enter(const PathTiming& timing) noexcept {
     }
 }
 
-void PathLaw::aim(double feed_ratio) noexcept {
-    if (!target_.aim(feed_ratio)) return;
+void PathLaw::aim(double feed_ratio, double part) noexcept {
+    if (!target_.aim(feed_ratio, part)) return;
     bound_target();
     restart();
 }
@@ -78,8 +78,13 @@ void PathLaw::restart() noexcept {
 
 void PathLaw::cap(bool is_capped) noexcept {
     is_capped_ = is_capped;
-    if (is_capped || !is_bitten_) return;
-    is_bitten_ = false;
+    if (!is_capped) loosen();
+}
+
+// What was too fast is not any more.
+void PathLaw::loosen() noexcept {
+    if (!is_bitten_) return;
+    bound_target();
     if (is_resting_) {
         is_following_ = false;
     } else {
@@ -87,24 +92,55 @@ void PathLaw::cap(bool is_capped) noexcept {
     }
 }
 
-// The lower of two timings asks of no axis more than one of them does: at both ends the lower one counts.
+void PathLaw::bound(double begin2, double end2) noexcept {
+    is_bound_ = true;
+    bounds2_ = {begin2, end2};
+}
+
+bool PathLaw::bound_now(double begin2, double end2) noexcept {
+    const double share = way_ / limits_.timing().length;
+    const double speed_now = speed() / limits_.period_s();
+    if (speed_now * speed_now > begin2 + share * (end2 - begin2)) return false;
+    bound(begin2, end2);
+    bound_target();
+    if (!is_resting_) restart();
+    return true;
+}
+
+void PathLaw::unbound() noexcept {
+    if (!is_bound_) return;
+    is_bound_ = false;
+    loosen();
+}
+
+// The lowest of some timings asks of no axis more than one of them does: at both ends the lowest counts.
 void PathLaw::bound_target() noexcept {
     is_bitten_ = false;
-    if (!is_capped_) return;
+    if (!is_capped_ && !is_bound_) return;
     const PathTiming& timing = limits_.timing();
     const double begin2 = target_.of(timing.start_speed2[0], timing.start_speed2[1]);
     const double end2 = target_.of(timing.end_speed2[0], timing.end_speed2[1]);
-    if (begin2 <= timing.rest_speed2[0] && end2 <= timing.rest_speed2[1]) return;
+    const std::array<double, 2> most2 = most_speed2();
+    if (begin2 <= most2[0] && end2 <= most2[1]) return;
     is_bitten_ = true;
     const double per_tick2 = limits_.period_s() * limits_.period_s();
-    capped2_ = std::min(begin2, timing.rest_speed2[0]) * per_tick2;
-    capped_slope_ = (std::min(end2, timing.rest_speed2[1]) * per_tick2 - capped2_) / timing.length;
+    capped2_ = std::min(begin2, most2[0]) * per_tick2;
+    capped_slope_ = (std::min(end2, most2[1]) * per_tick2 - capped2_) / timing.length;
+}
+
+// Of cap and bounds, at the segment's begin and end.
+std::array<double, 2> PathLaw::most_speed2() const noexcept {
+    std::array<double, 2> most2;
+    most2.fill(std::numeric_limits<double>::infinity());
+    if (is_capped_) most2 = limits_.timing().rest_speed2;
+    if (is_bound_) most2 = {std::min(most2[0], bounds2_[0]), std::min(most2[1], bounds2_[1])};
+    return most2;
 }
 
 double PathLaw::target2_at_end() const noexcept {
     const PathTiming& timing = limits_.timing();
     const double planned2 = target_.of(timing.end_speed2[0], timing.end_speed2[1]);
-    return is_bitten_ ? std::min(planned2, timing.rest_speed2[1]) : planned2;
+    return is_bitten_ ? std::min(planned2, most_speed2()[1]) : planned2;
 }
 
 void PathLaw::rest() noexcept {
@@ -182,7 +218,9 @@ void PathLaw::steer() noexcept {
     double accel = gap > 0.0 ? limits_.rising_accel(profiles, base_speed_)
                              : limits_.falling_accel(profiles, base_speed_);
     // Below the profile that rests in time it stays: along a part of it.
-    if (gap < 0.0 && is_capped_) accel = std::min(accel, limits_.resting_accel(base_, base_speed_));
+    if (gap < 0.0 && is_capped_)
+        accel = std::min(accel, limits_.accel_along(limits_.timing().rest_speed2, base_, base_speed_));
+    if (gap < 0.0 && is_bound_) accel = std::min(accel, limits_.accel_along(bounds2_, base_, base_speed_));
     cut_short(profiles, gap, accel);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "rtcore/cycle/motion_block.hpp"
@@ -34,14 +35,22 @@ public:
     /// The next segment, with the time that was left over. Requires is_at_end().
     void next(const PathTiming& timing) noexcept;
 
-    /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest() is called. From
-    /// rest it starts again, with a jump to the start-stop speed at most.
-    void aim(double feed_ratio) noexcept;
+    /// From the next tick on: so much of the planned feed, 0 to 2, and such a part of that; 0 slows down
+    /// until rest() is called. From rest it starts again, with a jump to the start-stop speed at most.
+    void aim(double feed_ratio, double part = 1.0) noexcept;
 
     /// Called before a segment is entered, with true at a group's begin alone: in this one and those after it
     /// it stays below their profile that rests where what is queued ends. Lifted at any time.
     void cap(bool is_capped) noexcept;
     bool is_capped() const noexcept { return is_capped_; }
+
+    /// Called before a segment is entered: there (du/dt)^2 stays below what lies between these. The one
+    /// before it allows no less at its end than this at its begin.
+    void bound(double begin2, double end2) noexcept;
+    /// The same in the segment at hand, from now on. False, and nothing is done: it is too fast already.
+    bool bound_now(double begin2, double end2) noexcept;
+    /// From now on, or from the next segment on, there are no such bounds.
+    void unbound() noexcept;
 
     /// One tick passes. Requires that it does not rest.
     void tick() noexcept {
@@ -77,7 +86,9 @@ private:
 
     void enter(const PathTiming& timing) noexcept;
     void restart() noexcept;
+    void loosen() noexcept;
     void bound_target() noexcept;
+    std::array<double, 2> most_speed2() const noexcept;
     double target2_at_end() const noexcept;
     void finish_pieces() noexcept;
     void begin_piece() noexcept;
@@ -102,8 +113,10 @@ private:
     bool is_resting_ = false;
 
     bool is_capped_ = false;
-    bool is_bitten_ = false;  ///< the cap is lower than the target in the segment at hand
-    double capped2_ = 0.0;    ///< then: the lower of both at its begin, per tick, and its slope
+    bool is_bound_ = false;
+    std::array<double, 2> bounds2_{};
+    bool is_bitten_ = false;  ///< cap or bounds are lower than the target in the segment at hand
+    double capped2_ = 0.0;    ///< then: the lowest of them at its begin, per tick, and its slope
     double capped_slope_ = 0.0;
 
     PathTarget target_;

@@ -52,14 +52,21 @@ public:
     /// The iteration that was due is out.
     void take() noexcept { expect(iteration_ + 1.0); }
     bool is_at_end() const noexcept { return law_.is_at_end(); }
+    /// u since the segment's begin.
+    double way() const noexcept { return law_.way(); }
 
-    /// From the next tick on: so much of the planned feed, 0 to 2; 0 slows down until rest().
-    void aim(double feed_ratio) noexcept { law_.aim(feed_ratio); }
+    /// From the next tick on: so much of the planned feed, 0 to 2, and such a part of that; 0 slows down
+    /// until rest().
+    void aim(double feed_ratio, double part = 1.0) noexcept { law_.aim(feed_ratio, part); }
     bool is_slowest() const noexcept { return law_.is_slowest(); }
     /// From the next segment on, or, lifted, from now on: no faster than for a rest at the group's end.
     void cap(bool is_capped) noexcept { law_.cap(is_capped); }
     bool is_capped() const noexcept { return law_.is_capped(); }
     void rest() noexcept { law_.rest(); }
+    /// Of the next segment, of that at hand, and none any more, as PathLaw has them.
+    void bound(double begin2, double end2) noexcept { law_.bound(begin2, end2); }
+    bool bound_now(double begin2, double end2) noexcept { return law_.bound_now(begin2, end2); }
+    void unbound() noexcept { law_.unbound(); }
 
 private:
     // An iteration that is due at the very instant of a tick must not fall behind it by rounding.

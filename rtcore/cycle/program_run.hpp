@@ -15,7 +15,7 @@ public:
     /// nothing that an operator would call a stop.
     static constexpr std::int64_t kPatience_ns = 200'000'000;
 
-    /// Its line is told no more often than this.
+    /// Its line is told no more often than this, and that it starved.
     static constexpr std::int64_t kTelling_ns = 1'000'000'000;
 
     ProgramRun(std::int64_t step_ns, std::int64_t tick_ns) noexcept
@@ -28,8 +28,11 @@ public:
         status_.is_running = 1;
         status_.is_single = is_single ? 1 : 0;
         empty_steps_ = 0;
+        untold_starvations_ = 0;
+        starvations_tick_ = 0;
         has_begun_ = false;
     }
+    void set_single(bool is_on) noexcept { status_.is_single = is_on ? 1 : 0; }
     /// Its last block is done.
     void note_done() noexcept { status_.is_done = 1; }
     void end() noexcept {
@@ -67,7 +70,16 @@ public:
         if (!has_begun_ || ++empty_steps_ < patience_steps_) return false;
         wait_for(ProgramHold::starved);
         ++status_.starvations;
+        ++untold_starvations_;
         return true;
+    }
+
+    /// So often it has starved since the flight recorder was told; it may be told of that now.
+    std::uint32_t untold_starvations() const noexcept { return untold_starvations_; }
+    bool may_tell_starvations(std::uint64_t tick) const noexcept { return tick >= starvations_tick_; }
+    void note_starvations_told(std::uint64_t tick) noexcept {
+        untold_starvations_ = 0;
+        starvations_tick_ = tick + telling_ticks_;
     }
 
     /// The flight recorder has been told of it, and with that of its motion record.
@@ -88,6 +100,8 @@ private:
     std::uint64_t telling_ticks_;
     std::uint64_t telling_tick_ = 0;  ///< not before this one
     std::uint64_t told_sequence_ = 0;
+    std::uint64_t starvations_tick_ = 0;  ///< nor of starvations
+    std::uint32_t untold_starvations_ = 0;
     std::int64_t empty_steps_ = 0;
     bool has_begun_ = false;  ///< a block of it came
 };

@@ -81,10 +81,22 @@ void Reporter::report_gap(std::uint64_t ticks, std::uint32_t longest_harmless_ti
 void Reporter::report_program(ProgramEvent event, std::uint8_t detail,
                               const ProgramStatus& program) noexcept {
     if (event == ProgramEvent::line && io_->reports.size() >= ReportRing::capacity() / 2) return;
+    push_event(record_of_program(event, detail, program));
+}
+
+FlightRecord Reporter::record_of_program(ProgramEvent event, std::uint8_t detail,
+                                         const ProgramStatus& program) const noexcept {
     const std::uint64_t value = event == ProgramEvent::begun ? program.program : program.line;
     FlightRecord record = record_of(RecordKind::program, recorded_code(event, detail), kNoAxis,
                                     static_cast<std::int64_t>(value));
     record.answer = recorded_sequence(program.sequence);
+    return record;
+}
+
+void Reporter::report_starvations(std::uint32_t count, const ProgramStatus& program) noexcept {
+    constexpr auto kStarved = static_cast<std::uint8_t>(ProgramHold::starved);
+    FlightRecord record = record_of_program(ProgramEvent::held, kStarved, program);
+    record.axis = count;
     push_event(record);
 }
 

@@ -36,6 +36,8 @@ public:
     /// What happened to the program, and where it is in it; detail as at ProgramEvent. Its line alone, which
     /// comes again, leaves half of the ring to other reports.
     void report_program(ProgramEvent event, std::uint8_t detail, const ProgramStatus& program) noexcept;
+    /// So often it has starved since this was reported last; it is to say so once a second at most.
+    void report_starvations(std::uint32_t count, const ProgramStatus& program) noexcept;
     /// Exactly one for each request.
     void answer(const Request& request, Verdict verdict) noexcept;
 
@@ -44,6 +46,8 @@ public:
 private:
     FlightRecord record_of(RecordKind kind, std::uint16_t code, std::uint8_t axis,
                            std::int64_t value) const noexcept;
+    FlightRecord record_of_program(ProgramEvent event, std::uint8_t detail,
+                                   const ProgramStatus& program) const noexcept;
     void push_event(const FlightRecord& record) noexcept;
     void push(const Report& report) noexcept;
 

@@ -34,6 +34,8 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::test_pin, CommandKind::test_pin},
     RequestCommand{RequestKind::drives_off, CommandKind::drives_off},
     RequestCommand{RequestKind::run_program, CommandKind::program},
+    RequestCommand{RequestKind::rapid_override, CommandKind::rapid_override},
+    RequestCommand{RequestKind::single, CommandKind::single},
 };
 
 /// Nothing: the tick has no such request.

@@ -29,6 +29,8 @@ constexpr bool sets_going(const Request& request) noexcept {
         case RequestKind::hold:
         case RequestKind::job_loaded:
         case RequestKind::override:
+        case RequestKind::rapid_override:
+        case RequestKind::single:
         case RequestKind::fail:
         case RequestKind::end_jog:
         case RequestKind::record:

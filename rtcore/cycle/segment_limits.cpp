@@ -5,12 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "rtcore/cycle/braking.hpp"
+
 namespace psicarve::cycle {
 namespace {
-
-// Of the acceleration that is left, so much is used to get to the target. The rest pays for the pulses' being
-// whole and on ticks, which a plan that goes to the limit has spent already.
-constexpr double kSteeringShare = 0.97;
 
 /// d2u/dt2 of motions that are known to be allowed here: along the profile of which the speed at hand is a
 /// part or a mixture, and along the 200 % profile scaled down.
@@ -69,10 +67,11 @@ double SegmentLimits::rising_accel(const Profiles& profiles, double speed) const
     return std::max({accel, 0.0, spare_accel(faster * faster)});
 }
 
-double SegmentLimits::resting_accel(double way, double speed) const noexcept {
+double SegmentLimits::accel_along(const std::array<double, 2>& speed2, double way,
+                                  double speed) const noexcept {
     const double per_tick2 = period_s_ * period_s_;
-    const double slope = (timing_.rest_speed2[1] - timing_.rest_speed2[0]) / timing_.length * per_tick2;
-    return part_of(speed * speed, timing_.rest_speed2[0] * per_tick2 + slope * way, slope);
+    const double slope = (speed2[1] - speed2[0]) / timing_.length * per_tick2;
+    return part_of(speed * speed, speed2[0] * per_tick2 + slope * way, slope);
 }
 
 double SegmentLimits::falling_accel(const Profiles& profiles, double speed) const noexcept {

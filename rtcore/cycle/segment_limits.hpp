@@ -28,8 +28,8 @@ public:
     /// negative where none is known but to slow down.
     double rising_accel(const Profiles& profiles, double speed) const noexcept;
     double falling_accel(const Profiles& profiles, double speed) const noexcept;
-    /// That of the profile that rests at the group's end, scaled down to this speed.
-    double resting_accel(double way, double speed) const noexcept;
+    /// That of a profile with this (du/dt)^2 [u^2/s^2] at begin and end, scaled down to this speed.
+    double accel_along(const std::array<double, 2>& speed2, double way, double speed) const noexcept;
 
 private:
     double spare_accel(double speed2) const noexcept;

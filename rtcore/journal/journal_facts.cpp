@@ -129,6 +129,8 @@ JournalFacts facts_of_command(const ReceivedCommand& received) {
             break;
         case CommandKind::spindle:
         case CommandKind::override:
+        case CommandKind::rapid_override:
+        case CommandKind::single:
             facts.add("value", as_sent(command.value));
             break;
         default:

@@ -2,7 +2,9 @@
 #include "rtcore/plan/path_blocks.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "rtcore/cycle/braking.hpp"
 #include "rtcore/plan/wide.hpp"
 
 namespace psicarve::plan {
@@ -62,6 +64,28 @@ void note_gaps(const MachineLimits& limits, std::span<MotionBlock> run) {
         if (first == run.end()) continue;
         std::uint8_t& axes = first->delta_pulses[k] > 0 ? run.front().up_axes : run.front().down_axes;
         axes = static_cast<std::uint8_t>(axes | 1U << k);
+    }
+}
+
+// From the end, as fast as a brake to rest where the last way in the material begins could be.
+void note_feed_ahead(std::span<MotionBlock> run, bool feed_follows) {
+    double braked2 = 0.0;
+    bool is_ahead = feed_follows;
+    for (std::size_t i = run.size(); i-- > 0;) {
+        MotionBlock& block = run[i];
+        if (block.way == cycle::WayKind::feed) {
+            is_ahead = true;
+            braked2 = 0.0;
+            continue;
+        }
+        is_ahead = is_ahead && braked2 < block.path.end_speed2[1];
+        if (!is_ahead) continue;
+        block.way = cycle::WayKind::to_feed;
+        const double end2 = std::exchange(braked2, braked_speed2(block.path, braked2));
+        const double above2 = braked2 - block.path.start_speed2[1];
+        const double below2 = block.path.end_speed2[1] - end2;
+        if (above2 > 0.0)
+            block.path.feed_from = static_cast<float>(block.path.length * above2 / (above2 + below2));
     }
 }
 

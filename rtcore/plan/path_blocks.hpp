@@ -16,4 +16,8 @@ cycle::MotionBlock path_block(const MachineLimits& limits, const PathPiece& piec
 /// axis turns round: in it each goes one way.
 void note_gaps(const MachineLimits& limits, std::span<cycle::MotionBlock> run);
 
+/// Marks the rapid ways of a run from which a brake may end in a way in the material (WayKind::to_feed). Such
+/// a one follows the run without a rest, if `feed_follows`.
+void note_feed_ahead(std::span<cycle::MotionBlock> run, bool feed_follows);
+
 }  // namespace psicarve::plan

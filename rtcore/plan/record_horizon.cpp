@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a program whose end is not known is planned part by part.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -88,9 +89,12 @@ bool RecordProgram::decide_part(std::size_t to) {
 
 void RecordProgram::settle(CurvePart part) {
     const std::vector<RecordPlace> lines = speeds_.held().lines;
+    // Where in the next part it begins does not matter: rapid ways are few.
+    const bool feed_follows = std::any_of(part.lines.begin() + 1, part.lines.end(),
+                                          [](const RecordPlace& place) { return !place.is_rapid; });
     pieces_.clear();
     speeds_.settle(std::move(part), pieces_);
-    add_group(lines, carries_on_ ? cycle::kGoesOn | cycle::kCarriesOn : cycle::kGoesOn);
+    add_group(lines, carries_on_ ? cycle::kGoesOn | cycle::kCarriesOn : cycle::kGoesOn, feed_follows);
     carries_on_ = true;
 }
 

@@ -124,7 +124,16 @@ void RecordProgram::take(const ProgramStep& step) {
         case MotionKind::end:
             return end(step.line);
     }
-    if (is_single_ && step.ends_block) halt(ProgramHold::single, step.line);
+    if (step.ends_block) end_line(step.line);
+}
+
+// At rest. What of the line there was is done.
+void RecordProgram::end_line(std::uint64_t line) {
+    if (is_single_) {
+        halt(ProgramHold::single, line);
+    } else if (!blocks_.empty()) {
+        blocks_.back().ends_line = 1;
+    }
 }
 
 void RecordProgram::take_way(const ProgramStep& step) {
@@ -138,7 +147,11 @@ void RecordProgram::take_way(const ProgramStep& step) {
     const double before_mm = tolerance_mm_;
     if (before_mm > 0.0 && (is_exact || step.tolerance_mm != before_mm)) come_to_rest();
     if (!is_exact) tolerance_mm_ = step.tolerance_mm;
-    if (step.target_pulses != points_.back().pulses) add_way(step);
+    if (step.target_pulses != points_.back().pulses) {
+        add_way(step);
+    } else if (step.ends_block && points_.size() > begin_ + 1) {
+        ways_.back().place.ends_line = true;
+    }
     const bool halts = is_single_ && step.ends_block;
     if (is_exact || halts) {
         come_to_rest();
@@ -165,6 +178,7 @@ void RecordProgram::take_stepped(const ProgramStep& step) {
     order.centre_pulses = step.centre_pulses;
     stepped_.emplace(limits_, order, from, step.seconds);
     halts_behind_stepped_ = halts;
+    ends_behind_stepped_ = step.ends_block && !is_single_;
     // Where a screw has backlash its nut lies where the last step of its axis left it.
     Pulses4 before = step.target_pulses;
     for (std::size_t k = 0; k < kAxisCount; ++k) before[k] -= stepped_->last_direction(k);
@@ -178,6 +192,7 @@ bool RecordProgram::next_stepped(MotionBlock& block) {
     if (stepped_->next(block) && block.kind != BlockKind::program_end) {
         set_program_line(block, line_);
         set_program_sequence(block, sequence_);
+        if (stepped_->is_last() && ends_behind_stepped_) block.ends_line = 1;
         return true;
     }
     stepped_.reset();
@@ -266,8 +281,9 @@ std::vector<RecordPlace> RecordProgram::lines_of(std::size_t first, std::size_t 
     return lines;
 }
 
-// The pieces as groups of blocks, each from rest to rest or joined to others; `lines` by point.
-void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joints) {
+// The pieces as groups of blocks, each from rest to rest or joined to others, the last of them to one with a
+// way in the material; `lines` by point.
+void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joints, bool feed_follows) {
     std::size_t begin = blocks_.size();
     std::size_t point = 1;
     for (const PathPiece& piece : pieces_) {
@@ -275,10 +291,16 @@ void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joint
         block.joints = static_cast<std::uint8_t>(joints);
         set_program_line(block, lines[point].line);
         set_program_sequence(block, lines[point].sequence);
-        if (piece.point != PathPiece::kNoPoint && piece.point + 1 < lines.size()) point = piece.point + 1;
+        if (lines[point].is_rapid) block.way = cycle::WayKind::rapid;
+        if (piece.point != PathPiece::kNoPoint && piece.point < lines.size()) {
+            if (lines[piece.point].ends_line && !is_single_) block.ends_line = 1;
+            if (piece.point + 1 < lines.size()) point = piece.point + 1;
+        }
         if (!piece.rests && &piece != &pieces_.back()) continue;
         blocks_[begin].group_blocks = static_cast<std::uint32_t>(blocks_.size() - begin);
-        note_gaps(machine_, std::span(blocks_).subspan(begin));
+        const std::span run = std::span(blocks_).subspan(begin);
+        note_gaps(machine_, run);
+        note_feed_ahead(run, feed_follows && !piece.rests);
         begin = blocks_.size();
     }
 }

@@ -63,6 +63,7 @@ private:
     void take(const ProgramStep& step);
     ProgramStep at_the_programs_pace(const ProgramStep& step);
     bool is_very_long(const ProgramStep& step) const;
+    void end_line(std::uint64_t line);
     void take_way(const ProgramStep& step);
     void take_very_long_way(const ProgramStep& step);
     void take_stepped(const ProgramStep& step);
@@ -86,7 +87,7 @@ private:
     void end_run();
     Timings least_pace2(const ProgramStep& step, std::size_t first) const;
     std::vector<RecordPlace> lines_of(std::size_t first, std::size_t last) const;
-    void add_group(std::span<const RecordPlace> lines, unsigned joints);
+    void add_group(std::span<const RecordPlace> lines, unsigned joints, bool feed_follows = false);
     void halt(ProgramHold hold, std::uint64_t line);
     cycle::MotionBlock& add_switch(std::uint64_t line);
     void switch_spindle(bool is_on, std::uint64_t line);
@@ -111,6 +112,7 @@ private:
     // A way by point-by-point comparison: its blocks come one by one, behind blocks_.
     std::optional<SteppedProgram> stepped_;
     bool halts_behind_stepped_ = false;
+    bool ends_behind_stepped_ = false;  ///< its line does
 
     // The window at hand, from where the machine rests or the curve is decided up to.
     std::vector<PathPoint> points_;

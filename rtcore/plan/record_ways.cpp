@@ -111,6 +111,7 @@ void RecordProgram::take_very_long_way(const ProgramStep& step) {
         const double share = static_cast<double>(part) / static_cast<double>(parts);
         to.seconds = step.seconds / static_cast<double>(parts);
         to.tolerance_mm = 0.0;
+        to.ends_block = step.ends_block && part == parts;
         for (std::size_t k = 0; k < kAxisCount && part < parts; ++k)
             to.target_pulses[k] =
                 from[k] + round_to_pulse(share * static_cast<double>(step.target_pulses[k] - from[k]));
@@ -146,7 +147,9 @@ void RecordProgram::add_way(const ProgramStep& step) {
             points_.push_back({on_the_way, 0, 0, false});
     }
     points_.push_back({step.target_pulses, 0, 0, false});
-    ways_.resize(points_.size(), {{step.line, step.sequence}, least_pace2(step, first), 0.0});
+    ways_.resize(points_.size(),
+                 {{step.line, step.sequence, step.is_rapid, false}, least_pace2(step, first), 0.0});
+    ways_.back().place.ends_line = step.ends_block;
     ways_.back().longer_by_s = std::exchange(longer_by_s_, 0.0);
 }
 

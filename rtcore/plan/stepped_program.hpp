@@ -25,6 +25,8 @@ public:
                    double seconds = 0.0);
 
     bool next(cycle::MotionBlock& block) override;
+    /// Whether the block that next() gave is the last that moves.
+    bool is_last() const noexcept { return blocks_left_ == 0 && group_ == groups_.size(); }
     /// In which an axis makes its last step, or 0. Before the first next().
     int last_direction(std::size_t axis) const noexcept { return last_[axis]; }
 

@@ -118,13 +118,14 @@ Records::const_iterator first_of_script(const Records& records) {
 }
 
 /// An override given between the job's loading and the script's begin still holds there.
-std::optional<ReplayStep> override_before(const Records& records, Records::const_iterator first) {
+std::optional<ReplayStep> override_before(const Records& records, Records::const_iterator first,
+                                          CommandKind kind) {
     std::optional<ReplayStep> step;
     for (auto record = records.begin(); record != first; ++record) {
         if (is_done(*record, RecordKind::job)) step.reset();
         if (is_program_done(*record) && step && step->value > kFullFeed_percent) step.reset();
         if (!is_done(*record, RecordKind::command)) continue;
-        if (static_cast<CommandKind>(record->code) == CommandKind::override) step = step_of(*record);
+        if (static_cast<CommandKind>(record->code) == kind) step = step_of(*record);
     }
     return step;
 }
@@ -139,7 +140,9 @@ std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>&
     script.start_inputs = first->signals & kInputMask;
     std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
     cycle::MotionOrder order{};
-    if (auto override_step = override_before(records, first)) {
+    for (const CommandKind kind : {CommandKind::override, CommandKind::rapid_override}) {
+        auto override_step = override_before(records, first, kind);
+        if (!override_step) continue;
         override_step->tick = 0;
         script.steps.push_back(*override_step);
     }

@@ -19,9 +19,8 @@ Result<std::variant<GuardedPort, int>> open_guarded_port(const CoreOptions& opti
     if (!open) return open.error();
     std::fprintf(stderr, "psicarve-rtcore: %s\n", open->description().c_str());
     if (options.no_guard) {
-        std::fprintf(
-            stderr,
-            "psicarve-rtcore: no guard: if the core is killed, drives and spindle stay as they are\n");
+        std::fprintf(stderr, "psicarve-rtcore: no guard: if the core is killed, %s stay as they are\n",
+                     names_of_powered(profile).c_str());
         return Side{GuardedPort{std::move(*open), nullptr}};
     }
     auto parted = guard::fork_guard({.safe_state = port::SafeState{open->access(), *pin_map},

@@ -202,9 +202,9 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         request.value = command.axis & ((1U << kAxisCount) - 1U);
     } else if (kind == RequestKind::start) {
         added = add_layers(request, command);
-    } else if (kind == RequestKind::spindle) {
+    } else if (kind == RequestKind::spindle || kind == RequestKind::single) {
         request.value = command.value != 0.0 ? 1 : 0;
-    } else if (kind == RequestKind::override) {
+    } else if (kind == RequestKind::override || kind == RequestKind::rapid_override) {
         request.value = percent_of(command.value);
     } else if (kind == RequestKind::run_program) {
         request.value = command.value2;

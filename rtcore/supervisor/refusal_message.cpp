@@ -84,6 +84,10 @@ Message refusal_message(const cycle::Report& answer, CommandKind command, const 
             return message_of(MessageId::overtaken, argument_of(command));
         case R::bad_override:
             return message_of(MessageId::bad_override);
+        case R::bad_rapid_override:
+            return message_of(MessageId::bad_rapid_override);
+        case R::no_program:
+            return message_of(MessageId::no_program_runs);
     }
     return message_of(MessageId::refused);
 }

@@ -64,7 +64,8 @@ CoreStatus StatusMirror::compose(const cycle::Sample& sample, const PlannedTimes
     status.job_end_tick = sample.job_end_tick;
     status.missed_ticks = sample.missed_ticks;
     status.waited_ticks = sample.waited_ticks;
-    status.override_percent = static_cast<std::uint32_t>(sample.override_percent);
+    status.override_percent = static_cast<std::uint16_t>(sample.override_percent);
+    status.rapid_override_percent = static_cast<std::uint16_t>(sample.rapid_override_percent);
     status.is_dry = sample.is_dry;
     status.is_left_forecast = times.is_left_forecast ? 1 : 0;
     status.is_port_silent = sample.is_port_silent;

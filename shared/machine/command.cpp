@@ -44,6 +44,10 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "forget";
         case CommandKind::program:
             return "program";
+        case CommandKind::rapid_override:
+            return "override of rapids";
+        case CommandKind::single:
+            return "single";
     }
     return "unknown";  // a number from shared memory may be anything
 }

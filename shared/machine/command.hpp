@@ -38,8 +38,11 @@ enum class CommandKind : std::uint32_t {
                         ///< on the disk
     program = 19,  ///< run the program of that number (value2), whose records a writer puts into the ring;
                    ///< axis: kProgram... bits; target: where the machine stood when it was read [pulses]
+    rapid_override = 20,  ///< value: so many per cent of the speed of a program's rapid ways, whole, 10 to
+                          ///< 100
+    single = 21,          ///< value: 1 the program that runs rests at the end of each line, 0 it does not
 };
-inline constexpr std::uint32_t kCommandKindCount = 20;
+inline constexpr std::uint32_t kCommandKindCount = 22;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/machine/recorded_program.hpp"
 
+#include "shared/machine/command.hpp"
+
 namespace psicarve {
 
 std::string_view name_of(ProgramEvent event) noexcept {
@@ -38,6 +40,10 @@ void take_record(ProgramStatus& program, const FlightRecord& record) noexcept {
         program.is_running = 0;
         program.hold = ProgramHold::none;
     }
+    if (record.kind == RecordKind::command &&
+        record.code == static_cast<std::uint16_t>(CommandKind::single) &&
+        record.answer == static_cast<std::uint32_t>(AnswerKind::done))
+        program.is_single = record.value != 0 ? 1 : 0;
     if (record.kind != RecordKind::program || (record.code & 0xFFU) >= kProgramEventCount) return;
     const ProgramEvent event = program_event_of(record);
     const std::uint8_t detail = program_detail_of(record);
@@ -54,7 +60,7 @@ void take_record(ProgramStatus& program, const FlightRecord& record) noexcept {
     program.is_running = event == ProgramEvent::ended ? 0 : 1;
     if (event == ProgramEvent::held && detail < kProgramHoldCount)
         program.hold = static_cast<ProgramHold>(detail);
-    if (program.hold == ProgramHold::starved) ++program.starvations;
+    program.starvations += recorded_starvations(record);
     if (event == ProgramEvent::ended)
         program.is_done = detail == static_cast<std::uint8_t>(ProgramEnding::done) ? 1 : 0;
 }

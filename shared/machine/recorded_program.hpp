@@ -14,10 +14,11 @@ namespace psicarve {
 
 /// What the flight recorder tells of a program: low byte of the code of its records.
 enum class ProgramEvent : std::uint8_t {
-    begun = 0,     ///< value: the program's number; detail: 1 one block at a time
-    line = 1,      ///< it is in that line: at most once a second, while it moves
-    held = 2,      ///< it rests; detail: ProgramHold, none where a command holds it
-    resumed = 3,   ///< or it got the records that it waited for
+    begun = 0,  ///< value: the program's number; detail: 1 one block at a time
+    line = 1,   ///< it is in that line: at most once a second, while it moves
+    held = 2,   ///< it rests; detail: ProgramHold, none where a command holds it. starved: it did, axis
+                ///< times since it was told so (kNoAxis: once), and goes on without a word
+    resumed = 3,
     stopping = 4,  ///< it slows down, and is not gone on with
     ended = 5,     ///< detail: ProgramEnding
 };
@@ -51,6 +52,14 @@ constexpr std::uint8_t program_detail_of(const FlightRecord& record) noexcept {
 }
 constexpr bool is_of_program(const FlightRecord& record, ProgramEvent event) noexcept {
     return record.kind == RecordKind::program && program_event_of(record) == event;
+}
+
+/// How often it has starved by this record: 0 for all others. Records before layout 16 say no number.
+constexpr std::uint32_t recorded_starvations(const FlightRecord& record) noexcept {
+    const bool is_starved = is_of_program(record, ProgramEvent::held) &&
+                            program_detail_of(record) == static_cast<std::uint8_t>(ProgramHold::starved);
+    if (!is_starved) return 0;
+    return record.axis == kNoAxis ? 1 : record.axis;
 }
 
 /// The override that carves as planned, in per cent.

@@ -71,11 +71,13 @@ struct CoreStatus {
     std::uint64_t alarm_count;          ///< alarms since the core started
     AlarmRecord alarms[kAlarmHistory];  ///< alarm n stands at n % kAlarmHistory
     std::uint64_t waited_ticks;         ///< ticks in which the pins kept a due iteration waiting, since start
-    std::uint32_t override_percent;     ///< of the planned feed
-    std::uint8_t is_dry;                ///< 1: the job at hand, or the last, was a dry run
-    std::uint8_t is_left_forecast;      ///< 1: part of seconds_left is a forecast: not all is planned yet
-    std::uint16_t is_port_silent;  ///< 1: the port has not taken the safe state; `signals` may stand on it
-    std::uint64_t trace_lost;      ///< pin changes that no trace could take (real clock only)
+    std::uint16_t override_percent;     ///< of the planned feed
+    std::uint16_t
+        rapid_override_percent;     ///< of a program's rapid ways; 0, in snapshots before layout 16: 100
+    std::uint8_t is_dry;            ///< 1: the job at hand, or the last, was a dry run
+    std::uint8_t is_left_forecast;  ///< 1: part of seconds_left is a forecast: not all is planned yet
+    std::uint16_t is_port_silent;   ///< 1: the port has not taken the safe state; `signals` may stand on it
+    std::uint64_t trace_lost;       ///< pin changes that no trace could take (real clock only)
     // How the tick's thread is set up (real clock only), and what interrupted it: counted outside of the
     // tick.
     std::uint32_t realtime_asked;     ///< bit by RealtimeStep: tried
@@ -93,6 +95,11 @@ struct CoreStatus {
     std::uint64_t sim_stalls[kAxisCount];          ///< motor asked for more than its torque gives
 };
 static_assert(std::is_trivially_copyable_v<CoreStatus> && sizeof(CoreStatus) % 8 == 0, "bump kLayoutVersion");
+
+/// Also of a snapshot that is older than the override.
+constexpr std::uint32_t rapid_override_percent(const CoreStatus& status) noexcept {
+    return status.rapid_override_percent == 0 ? 100 : status.rapid_override_percent;
+}
 
 inline std::string_view remedy_of(const CoreStatus& status) noexcept {
     return status.is_port_silent != 0 ? kSilentPortRemedy : remedy_of(status.alarm_cause);

@@ -68,6 +68,8 @@ enum class MessageId : std::uint16_t {
     no_layer_finished_but_earlier = 78,
     carved_to_its_end = 79,
     bad_override = 80,
+    bad_rapid_override = 81,
+    no_program_runs = 82,
 
     // Outputs by hand, recordings, records of pieces.
     pins_need_drives_off = 90,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "shared/base/result.hpp"
 #include "shared/machine/signal.hpp"
@@ -24,6 +25,10 @@ struct PinPlace {
 std::optional<PinPlace> place_of_pin(int pin) noexcept;
 /// Pin 10..13 and 15 can be read; the other twelve of 1..17 can be driven.
 bool is_input_pin(int pin) noexcept;
+
+/// What a port may leave on when nobody tells it otherwise: "drives and spindle", "drives, spindle, mist and
+/// output_2".
+std::string names_of_powered(const Profile& profile);
 
 /// The two registers that a port writes, as the bytes that go to the hardware.
 struct OutputRegisters {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdlib>
+#include <utility>
 
 #include "shared/profile/pin_map.hpp"
 #include "shared/profile/profile_table.hpp"
@@ -11,6 +12,16 @@ SwitchedOutputs wired_outputs(const Profile& profile) noexcept {
     for (std::size_t i = 0; i < kSwitchedOutputCount; ++i)
         wired |= static_cast<unsigned>(profile.port.pins[kFirstSwitchedOutput + i] != 0) << i;
     return static_cast<SwitchedOutputs>(wired);
+}
+
+std::string names_of_powered(const Profile& profile) {
+    std::string names = "drives";
+    std::string last = "spindle";
+    for (std::size_t i = kFirstSwitchedOutput; i < kFirstSwitchedOutput + kSwitchedOutputCount; ++i) {
+        if (profile.port.pins[i] != 0)
+            names += ", " + std::exchange(last, std::string{name_of(static_cast<Signal>(i))});
+    }
+    return names + " and " + last;
 }
 
 }  // namespace psicarve

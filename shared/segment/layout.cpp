@@ -56,6 +56,7 @@ constexpr std::uint64_t status_hash(std::uint64_t hash) noexcept {
                                offsetof(CoreStatus, alarms),
                                offsetof(CoreStatus, waited_ticks),
                                offsetof(CoreStatus, override_percent),
+                               offsetof(CoreStatus, rapid_override_percent),
                                offsetof(CoreStatus, trace_lost),
                                offsetof(CoreStatus, realtime_asked),
                                offsetof(CoreStatus, tick_minor_faults),

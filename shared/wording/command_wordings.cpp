@@ -164,6 +164,12 @@ constexpr std::array kCommandWordings{
             {}},
     Wording{
         Id::bad_override, "bad_override", "override: 10 to 200 per cent of the planned feed, whole", "", {}},
+    Wording{Id::bad_rapid_override,
+            "bad_rapid_override",
+            "override: 10 to 100 per cent of the speed of rapid ways, whole",
+            "",
+            {}},
+    Wording{Id::no_program_runs, "no_program_runs", "single: no program runs", "", {}},
 
     Wording{Id::pins_need_drives_off,
             "pins_need_drives_off",

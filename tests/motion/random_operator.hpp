@@ -8,7 +8,8 @@
 
 namespace psicarve::motion {
 
-/// Holds, resumes and overrides at random ticks, half of `longest_span` apart in the mean.
+/// Holds, resumes and overrides, of feed and rapids, at random ticks, half of `longest_span` apart in the
+/// mean.
 class Operator {
 public:
     explicit Operator(std::uint64_t seed, std::uint64_t longest_span = 4000)
@@ -22,6 +23,8 @@ public:
             rig.ask(cycle::RequestKind::resume);
         } else if (random_() % 3 == 0) {
             rig.ask(cycle::RequestKind::hold);
+        } else if (random_() % 3 == 0) {
+            rig.ask(cycle::RequestKind::rapid_override, 0, 10 + random_() % 91);
         } else {
             rig.ask(cycle::RequestKind::override, 0, 10 + random_() % 191);
         }

@@ -247,4 +247,12 @@ TEST(PinPlace, FivePinsAreInputsAndTwelveAreOutputs) {
 }
 
 }  // namespace
+TEST(PoweredOutputs, AreNamedWhereTheyAreWired) {
+    Profile profile;
+    EXPECT_EQ(names_of_powered(profile), "drives and spindle");
+    profile.port.pins[index_of(Signal::mist)] = 1;
+    profile.port.pins[index_of(Signal::output_2)] = -7;
+    EXPECT_EQ(names_of_powered(profile), "drives, spindle, mist and output_2");
+}
+
 }  // namespace psicarve

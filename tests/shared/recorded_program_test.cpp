@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "shared/machine/command.hpp"
 #include "shared/machine/unreplayed_program.hpp"
 
 namespace psicarve {
@@ -15,6 +16,7 @@ FlightRecord record_of(ProgramEvent event, std::int64_t value, std::uint32_t seq
     FlightRecord record{};
     record.kind = RecordKind::program;
     record.code = recorded_code(event, detail);
+    record.axis = kNoAxis;
     record.value = value;
     record.answer = sequence;
     return record;
@@ -46,6 +48,33 @@ TEST(RecordedProgram, IsTheLastOneAsItsRecordsHaveIt) {
     EXPECT_EQ(sut().is_done, 0U);
     records.push_back(record_of(ProgramEvent::ended, 2, 3, 1));
     EXPECT_EQ(sut().is_done, 0U);
+}
+
+TEST(RecordedProgram, HasStarvedAsOftenAsItsRecordsSay) {
+    std::vector<FlightRecord> records{record_of(ProgramEvent::begun, 7),
+                                      record_of(ProgramEvent::held, 9, 35, 5)};
+    records.back().axis = 4;
+    EXPECT_EQ(recorded_program(records).starvations, 4U);
+    records.push_back(record_of(ProgramEvent::held, 9, 35, 5));
+    records.back().axis = kNoAxis;
+    EXPECT_EQ(recorded_program(records).starvations, 5U) << "one of an older core";
+    records.push_back(record_of(ProgramEvent::line, 10, 36));
+    EXPECT_EQ(recorded_program(records).hold, ProgramHold::none);
+}
+
+TEST(RecordedProgram, IsOneLineAtATimeAsItWasSwitchedLast) {
+    FlightRecord single{};
+    single.kind = RecordKind::command;
+    single.code = static_cast<std::uint16_t>(CommandKind::single);
+    single.value = 1;
+    single.answer = static_cast<std::uint32_t>(AnswerKind::refused);
+    std::vector<FlightRecord> records{record_of(ProgramEvent::begun, 7), single};
+    EXPECT_EQ(recorded_program(records).is_single, 0U);
+    records.back().answer = static_cast<std::uint32_t>(AnswerKind::done);
+    EXPECT_EQ(recorded_program(records).is_single, 1U);
+    records.push_back(records.back());
+    records.back().value = 0;
+    EXPECT_EQ(recorded_program(records).is_single, 0U);
 }
 
 // That of a core that is no more is told by its guard, which knows of no program.

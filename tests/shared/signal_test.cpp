@@ -54,6 +54,8 @@ TEST(CommandKind, NamesAreThoseOfTheCommandLine) {
     EXPECT_EQ(name_of(CommandKind::back_off), "back-off");
     EXPECT_EQ(name_of(CommandKind::reset_height), "reset-height");
     EXPECT_EQ(name_of(CommandKind::override), "override");
+    EXPECT_EQ(name_of(CommandKind::rapid_override), "override of rapids");
+    EXPECT_EQ(name_of(CommandKind::single), "single");
     EXPECT_EQ(name_of(CommandKind::program), "program");
     EXPECT_EQ(name_of(static_cast<CommandKind>(0xFFFFFFFF)), "unknown");
 }

@@ -70,6 +70,7 @@ TEST_F(SamePulses, KeepTheirOrderUnderHoldsAndOverridesAtRandomInstants) {
         int holds = 0;
         while (disturbed > 0 && program_status().is_done == 0) {
             ASSERT_TRUE(command(CommandKind::override, 10.0 + static_cast<double>(random_() % 191)));
+            ASSERT_TRUE(command(CommandKind::rapid_override, 10.0 + static_cast<double>(random_() % 91)));
             if (command(CommandKind::hold)) {
                 ++holds;
                 // Slowing down; what comes too early is refused.
@@ -84,6 +85,65 @@ TEST_F(SamePulses, KeepTheirOrderUnderHoldsAndOverridesAtRandomInstants) {
         ASSERT_GT(plain.size(), 1'000U);
         EXPECT_TRUE(order == plain) << "run " << disturbed << ", " << holds << " holds";
         EXPECT_TRUE(disturbed == 0 || holds > 0);
+    }
+}
+
+/// Ways in the air and in the material, corners and arcs, under G64 and G61.
+std::string mixed_program(std::uint32_t seed, int lines) {
+    std::mt19937 random{seed};
+    std::string text = "G21 G90 G94 F900\nM3\nG0 X50 Z50 Y10 C0\n";
+    for (int i = 0; i < lines; ++i) {
+        const auto kind = random() % 10;
+        std::array<char, 96> line{};
+        const double across_mm = 48.0 + 0.01 * static_cast<double>(random() % 400);
+        const double up_mm = 10.0 + 0.01 * static_cast<double>(random() % 400);
+        if (kind == 0) text += random() % 3 == 0 ? "G61\n" : "G64 P0.03\n";
+        if (kind == 1) text += "G4 P0.02\n";
+        const char* const form = kind < 4    ? "G0 X%.3f Y%.3f\n"
+                                 : kind == 9 ? "G1 X%.3f\nG2 X%.3f I0.5 J0\n"
+                                             : "G1 X%.3f Y%.3f\n";
+        if (kind == 9) {
+            std::snprintf(line.data(), line.size(), form, across_mm, across_mm + 1.0);
+        } else {
+            std::snprintf(line.data(), line.size(), form, across_mm, up_mm);
+        }
+        text += line.data();
+    }
+    return text + "M2\n";
+}
+
+// Both overrides, holds and single block, at random instants: as without them, and right as the run itself
+// says.
+TEST_F(SamePulses, KeepTheirOrderWhateverIsSwitchedAndAreRight) {
+    const std::uint32_t seeds = is_long_run() ? 20 : kIsSanitized ? 1 : 3;
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+        write("mixed.ngc", mixed_program(seed, 150));
+        std::vector<std::uint8_t> plain;
+        for (const bool is_disturbed : {false, true}) {
+            start_homed();
+            RunningProgram writer{"psicarve",
+                                  {"gcode", "run", file("mixed.ngc"), "--trace", file("pins.trace"), "--json",
+                                   "--segment", segment_}};
+            int halts = 0;
+            while (is_disturbed && !writer.has_ended() && program_status().is_done == 0) {
+                (void)command(CommandKind::override, 10.0 + static_cast<double>(random_() % 91));
+                (void)command(CommandKind::rapid_override, 10.0 + static_cast<double>(random_() % 91));
+                (void)command(CommandKind::single, random_() % 3 != 0 ? 1.0 : 0.0);
+                if (random_() % 3 == 0) (void)command(CommandKind::hold);
+                std::this_thread::sleep_for(std::chrono::microseconds{random_() % 3'000});
+                if (program_status().hold == ProgramHold::single) ++halts;
+                (void)command(CommandKind::resume);
+            }
+            const Outcome outcome = writer.outcome();
+            EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+            EXPECT_EQ(outcome.json()["verified"], true) << "seed " << seed << outcome.out;
+            end_core();
+            const auto order = order_of_trace(file("pins.trace"));
+            if (!is_disturbed) plain = order;
+            ASSERT_GT(plain.size(), 1'000U);
+            EXPECT_TRUE(order == plain) << "seed " << seed;
+            EXPECT_TRUE(!is_disturbed || halts > 3) << halts;
+        }
     }
 }
 

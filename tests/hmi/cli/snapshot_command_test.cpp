@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared/job/job.hpp"
+#include "shared/machine/command.hpp"
 #include "shared/machine/recorded_program.hpp"
 #include "shared/record/snapshot_file.hpp"
 #include "tests/hmi/cli/program_run.hpp"
@@ -216,6 +217,30 @@ TEST_F(SnapshotCommand, InfoTellsWhereAProgramWas) {
               "alarm");
     EXPECT_TRUE(
         psicarve({"snapshot", "info", save("c.job", small_table()), "--json"}).json()["program"].is_null());
+}
+
+TEST_F(SnapshotCommand, InfoTellsWhatWasSwitchedAndHowOftenAProgramStarved) {
+    Snapshot rest;
+    rest.status = CoreStatus{};
+    rest.records = {of_program(ProgramEvent::begun, 7), of_program(ProgramEvent::held, 8, 34, 5)};
+    rest.records.back().axis = 3;
+    for (const CommandKind kind : {CommandKind::rapid_override, CommandKind::single}) {
+        FlightRecord record{};
+        record.kind = RecordKind::command;
+        record.code = static_cast<std::uint16_t>(kind);
+        record.axis = kNoAxis;
+        record.value = kind == CommandKind::single ? 1 : 40;
+        record.answer = static_cast<std::uint32_t>(AnswerKind::done);
+        rest.records.push_back(record);
+    }
+    const std::string path = save("a.snap", small_table(), rest);
+    const Outcome plain = psicarve({"snapshot", "info", path});
+    for (const char* told : {"program line 8 (record 34): held, starved 3 times  r1",
+                             "command override of rapids done 40  r1", "command single done on  r1"})
+        EXPECT_NE(plain.out.find(told), std::string::npos) << told << "\n" << plain.out;
+    const auto info = psicarve({"snapshot", "info", path, "--json"}).json();
+    EXPECT_EQ(info["records"][1]["program"]["starvations"], 3);
+    EXPECT_TRUE(info["records"][1]["axis"].is_null());
 }
 
 TEST_F(SnapshotCommand, InfoTellsJobStatusAndTheNewestRecords) {

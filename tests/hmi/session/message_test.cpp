@@ -145,7 +145,9 @@ TEST(MessageLog, TellsOfASecondAlarmAndOfAJob) {
     MachineView other_job = machine_in(S::ready);
     other_job.status->job_generation = 4;
     other_job.status->override_percent = 80;
-    EXPECT_EQ(told(machine_in(S::ready), other_job), "Job no. 4 accepted; Feed override 100 % → 80 %; ");
+    other_job.status->rapid_override_percent = 50;
+    EXPECT_EQ(told(machine_in(S::ready), other_job),
+              "Job no. 4 accepted; Feed override 100 % → 80 %; Override of rapids 100 % → 50 %; ");
 }
 
 TEST(MessageLog, TellsThatTheCoreIsGoneOrSilent) {

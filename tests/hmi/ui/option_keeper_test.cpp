@@ -156,7 +156,7 @@ TEST_F(KeptOptions, AreAllButThoseThatBelongToOneModelRunOrMoment) {
                                "engrave_diameter", "relief_diameter", "relief_around", "relief_black",
                                "relief_white", "relief_gamma", "relief_smooth", "relief_seam",
                                // Of one run, or of the machine's.
-                               "override", "layer", "test_output", "program_from_line",
+                               "override", "rapid_override", "layer", "test_output", "program_from_line",
                                // Where one looks at the moment.
                                "layer_slider", "point_slider", "layer_number", "program_plane"};
     for (const char* const name : OptionKeeper::names()) expected.insert(name);

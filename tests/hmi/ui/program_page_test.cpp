@@ -119,7 +119,7 @@ TEST_F(ProgramPageOf, RunsAProgramToItsEndAndFollowsItsLine) {
         state_of_page().startsWith("The program runs. Line 100: a stop of the program (M0); Resume goes on"))
         << state_of_page().toStdString();
     EXPECT_EQ(button("program_start").toolTip(), "Start: another program runs; stop it first");
-    EXPECT_FALSE(button("program_single").isEnabled());
+    EXPECT_FALSE(button("program_optional").isEnabled());
     take_picture("program_running_light");
     part<QAbstractButton>("program_follow").click();
     text_view().go_to(1);
@@ -219,6 +219,29 @@ TEST_F(ProgramPageOf, RunsAsTheSwitchesSay) {
     ASSERT_TRUE(is_over(true)) << "with the heads outside";
     EXPECT_GT(place(Axis::r1), 45.0);
     EXPECT_NEAR(place(Axis::y), 7.0, 0.01);
+}
+
+TEST_F(ProgramPageOf, SwitchesSingleBlockWhileItRuns) {
+    ASSERT_NO_FATAL_FAILURE(have_homed_window());
+    ASSERT_TRUE(opens("G21 G90 F300\nG0 X40 Z41 Y5\nM0\nG1 Y7\nG1 X39\nG1 Y8\nM2\n"));
+    ASSERT_TRUE(click("program_start"));
+    ASSERT_TRUE(holds_in_line(3, ProgramHold::program));
+    window_->refresh();
+    EXPECT_TRUE(button("program_single").isEnabled());
+    EXPECT_FALSE(button("program_single").isChecked());
+    ASSERT_TRUE(click("program_single"));
+    ASSERT_TRUE(comes_true([&] { return window_->context().program_report.status.is_single != 0; }));
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(holds_in_line(4, ProgramHold::single));
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(holds_in_line(5, ProgramHold::single));
+    window_->refresh();
+    EXPECT_TRUE(button("program_single").isChecked());
+    ASSERT_TRUE(click("program_single"));
+    ASSERT_TRUE(comes_true([&] { return window_->context().program_report.status.is_single == 0; }));
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(is_over(true));
+    EXPECT_FALSE(desk().switches.is_single) << "that of the next start is as it was";
 }
 
 TEST_F(ProgramPageOf, RunsFromALineOnceItWasToldWhatComesBeforeIt) {

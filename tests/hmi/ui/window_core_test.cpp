@@ -66,6 +66,8 @@ TEST_F(WindowOnCore, CarvesHoldsResumesStopsInAnEmergencyAndGoesOn) {
     EXPECT_EQ(button("start").toolTip(), "Start: already carving");
     window_->findChild<QSlider*>("override")->setValue(130);
     ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 130; }));
+    window_->findChild<QSlider*>("rapid_override")->setValue(40);
+    ASSERT_TRUE(comes_true([&] { return machine_view().status->rapid_override_percent == 40; }));
     ASSERT_TRUE(click("full"));
     ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 100; }));
     ASSERT_TRUE(click("hold"));

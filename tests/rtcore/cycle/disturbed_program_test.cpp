@@ -141,5 +141,38 @@ TEST(DisturbedProgram, KeepsTheOrderOfItsPulsesBlockByBlock) {
         expect_order_kept(seed, true);
 }
 
+// Switched on and off at random ticks, also while it holds or starves.
+TEST(DisturbedProgram, KeepsTheOrderOfItsPulsesWhenSingleBlockIsSwitched) {
+    const std::uint64_t seeds = test::is_long_run() ? 200 : test::is_thorough() ? 20 : 4;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const bool begins_single = seed % 3 == 0;
+        const auto plain = order_with(
+            seed, begins_single, [](ProgramRig& rig, ScriptedSource&, std::size_t) { resume_halted(rig); });
+        ASSERT_GT(plain.size(), 100U);
+        motion::Operator hand{seed, 6000};
+        std::mt19937_64 random{seed};
+        std::uint64_t next_tick = 0;
+        std::uint64_t halts = 0;
+        bool has_begun = false;
+        bool was_single = false;
+        const auto switched =
+            order_with(seed, begins_single, [&](ProgramRig& rig, ScriptedSource& source, std::size_t all) {
+                if (!has_begun) source.written = 0;
+                has_begun = true;
+                hand(rig);
+                const bool is_single = rig.program().hold == ProgramHold::single;
+                if (is_single && !was_single) ++halts;
+                was_single = is_single;
+                const std::uint64_t now = rig.cycle->next_tick();
+                if (now < next_tick) return;
+                next_tick = now + 1 + random() % 3000;
+                rig.ask(RequestKind::single, 0, random() % 2);
+                source.written = std::min<std::size_t>(all, source.written + random() % 6);
+            });
+        ASSERT_EQ(switched, plain) << "seed " << seed;
+        EXPECT_GT(halts, 3U) << "seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::cycle

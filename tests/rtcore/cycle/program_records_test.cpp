@@ -33,7 +33,7 @@ Told told_of(const ProgramRig& rig) {
         const auto value = static_cast<std::uint64_t>(record.value);
         const bool has_motion = event != ProgramEvent::begun && value != 0;
         EXPECT_EQ(record.answer, has_motion ? recorded_sequence(kBeforeScript + value) : 0U) << told.back();
-        EXPECT_EQ(record.axis, kNoAxis);
+        EXPECT_EQ(record.axis, recorded_starvations(record) > 0 ? 1U : kNoAxis);
     }
     return told;
 }
@@ -153,7 +153,7 @@ TEST(ProgramRecords, TellEveryBlockOfOneAtATime) {
     EXPECT_EQ(program_detail_of(sut.records_of(RecordKind::program)[0]), 1);
 }
 
-TEST(ProgramRecords, TellThatItStarvedAndThatRecordsCameOrAHold) {
+TEST(ProgramRecords, TellThatItStarvedAndOfAHoldMeanwhile) {
     for (const bool is_held : {false, true}) {
         ProgramRig sut;
         Script script{sut.positions()};
@@ -171,8 +171,8 @@ TEST(ProgramRecords, TellThatItStarvedAndThatRecordsCameOrAHold) {
         }
         ASSERT_TRUE(sut.run_until(MachineState::ready));
         Told expected{"begun no. 7", "held starved 1"};
-        if (is_held) expected.emplace_back("held  1");
-        expected.insert(expected.end(), {"resumed 1", "ended done 3"});
+        if (is_held) expected.insert(expected.end(), {"held  1", "resumed 1"});
+        expected.emplace_back("ended done 3");
         EXPECT_EQ(told_of(sut), expected);
     }
 }

@@ -162,6 +162,62 @@ void expect_end_however_disturbed(const Profile& profile, std::uint64_t seed) {
     }
 }
 
+// A record each time would push all else out of the recorder.
+TEST(StarvedProgram, IsRecordedOnceASecondAtMostWithHowOftenItWas) {
+    ProgramRig sut;
+    Script script{sut.positions()};
+    for (int i = 0; i < 25; ++i) script.way({i % 2 == 0 ? -20 : 20, 0, 0, 0}, 0.0);
+    script.end();
+    const auto source = sut.give(script.steps);
+    source->written = 1;
+    ASSERT_EQ(sut.start(), Refusal::none);
+    const std::uint64_t begin = sut.cycle->next_tick();
+    while (source->written < script.steps.size()) {
+        ASSERT_TRUE(sut.run_until(MachineState::held));
+        EXPECT_EQ(sut.program().hold, ProgramHold::starved);
+        ++source->written;
+        ASSERT_TRUE(sut.run_while([&] { return sut.cycle->state() == MachineState::held; }));
+    }
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(sut.program().starvations, 25U);
+    const double seconds = 1e-9 * static_cast<double>(tick_period_ns(sut.profile)) *
+                           static_cast<double>(sut.cycle->next_tick() - begin);
+    std::uint64_t starvations = 0;
+    std::size_t records = 0;
+    for (const FlightRecord& record : sut.records_of(RecordKind::program)) {
+        EXPECT_FALSE(is_of_program(record, ProgramEvent::resumed));
+        starvations += recorded_starvations(record);
+        records += recorded_starvations(record) > 0 ? 1 : 0;
+    }
+    EXPECT_EQ(starvations, 25U);
+    EXPECT_LE(static_cast<double>(records), seconds + 2.0);
+    for (const FlightRecord& record : sut.records_of(RecordKind::state_change)) {
+        EXPECT_NE(record.code, static_cast<std::uint16_t>(MachineState::held));
+        EXPECT_NE(record.code, static_cast<std::uint16_t>(MachineState::holding));
+    }
+}
+
+// It is held from then on, and that is told.
+TEST(StarvedProgram, IsRecordedAsHeldWhereSomebodyHoldsIt) {
+    ProgramRig sut;
+    Script script{sut.positions()};
+    script.way({-50, 0, 0, 0}, 0.0).way({50, 0, 0, 0}, 0.0).end();
+    const auto source = sut.give(script.steps);
+    source->written = 1;
+    ASSERT_EQ(sut.start(), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::held));
+    ASSERT_EQ(sut.ask(RequestKind::hold), Refusal::none);
+    const auto states = sut.records_of(RecordKind::state_change);
+    ASSERT_FALSE(states.empty());
+    EXPECT_EQ(states.back().code, static_cast<std::uint16_t>(MachineState::held));
+    const auto told = sut.records_of(RecordKind::program);
+    EXPECT_EQ(told.back().code, recorded_code(ProgramEvent::held));
+    source->written = script.steps.size();
+    ASSERT_EQ(sut.ask(RequestKind::resume), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(sut.positions(), script.at());
+}
+
 class StarvedMachines : public ::testing::TestWithParam<int> {};
 
 TEST_P(StarvedMachines, EndWhereTheySayHoweverTheyAreDisturbed) {

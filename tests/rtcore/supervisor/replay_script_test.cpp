@@ -216,11 +216,17 @@ TEST(ReplayScript, GivesACommandTheOrderThatWasRecordedBeforeIt) {
 TEST(ReplayScript, BeginsWithTheOverrideThatHeldThen) {
     FlightRecord slower = command(7, CommandKind::override);
     slower.value = 30;
-    const auto script = script_from_records(
-        {job(5), slower, command(10, CommandKind::home), state_change(10, MachineState::homing),
-         state_change(100, MachineState::ready), command(110, CommandKind::start)});
+    FlightRecord slower_rapids = command(8, CommandKind::rapid_override);
+    slower_rapids.value = 40;
+    const auto script =
+        script_from_records({job(5), slower, slower_rapids, command(10, CommandKind::home),
+                             state_change(10, MachineState::homing), state_change(100, MachineState::ready),
+                             command(110, CommandKind::start)});
     ASSERT_TRUE(script.has_value());
-    ASSERT_EQ(script->steps.size(), 2U);
+    ASSERT_EQ(script->steps.size(), 3U);
+    EXPECT_EQ(script->steps[1].tick, 0U);
+    EXPECT_EQ(script->steps[1].request, cycle::RequestKind::rapid_override);
+    EXPECT_EQ(script->steps[1].value, 40U);
     EXPECT_EQ(script->steps[0].tick, 0U);
     EXPECT_EQ(script->steps[0].request, cycle::RequestKind::override);
     EXPECT_EQ(script->steps[0].value, 30U);

@@ -109,6 +109,10 @@ public:
         forget_waiting();
         begun_ = 0;
     }
+    /// Before the first tick: where the direction pins stood when the machine came to its place.
+    void assume_directions(SignalWord levels) noexcept {
+        levels_ = (levels_ & ~kDirMask) | (levels & kDirMask);
+    }
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
     void set_spindle(bool on) noexcept {
         levels_ = on ? levels_ | bit_of(Signal::spindle) : levels_ & ~bit_of(Signal::spindle);

@@ -64,12 +64,16 @@ Result<Records> repeatable_entries(const Snapshot& snapshot, const std::string& 
 }
 
 /// Nothing: its pins are judged.
-std::string reason_unjudged(const SourcedProgram& program, const Records& entries) {
+std::string reason_unjudged(const SourcedProgram& program, const Records& entries, const Records& all) {
     if (program.is_stream) return "it came from standard input";
     if (program.steps.from_line > 1) return "it began with line " + std::to_string(program.steps.from_line);
     if (program.steps.is_dry) return "it was a dry run";
     const auto is_end = [](const FlightRecord& entry) { return is_program_done(entry); };
     if (std::ranges::none_of(entries, is_end)) return "its end was not recorded";
+    const auto is_missed = [&](const FlightRecord& record) {
+        return record.kind == RecordKind::gap && record.tick >= entries.front().tick;
+    };
+    if (std::ranges::any_of(all, is_missed)) return "ticks were missed while it ran";
     const auto is_held = [](const FlightRecord& entry) {
         return entry.kind == RecordKind::state_change &&
                static_cast<MachineState>(entry.code) == MachineState::held;
@@ -125,8 +129,10 @@ struct ReplayedProgram {
     std::string trace;
 };
 
+/// On a real clock ticks are missed, and whoever comes some ticks later is elsewhere on the path.
 bool is_as_recorded(const ReplayedProgram& run) {
-    return !run.entries.first_other && run.entries.most_pulses == 0;
+    if (run.entries.first_other) return false;
+    return run.entries.most_ticks != 0 || run.entries.most_pulses == 0;
 }
 
 nlohmann::ordered_json replay_json(const std::string& name, const ReplayedProgram& run) {
@@ -157,8 +163,8 @@ std::string comparison_text(const EntryComparison& entries) {
                report::record_text(*entries.first_other);
     const std::string apart =
         std::to_string(entries.most_ticks) + " ticks and " + std::to_string(entries.most_pulses) + " pulses";
-    if (entries.most_pulses != 0) return "NO: " + count + ", but up to " + apart + " apart";
     if (entries.most_ticks != 0) return "yes: " + count + ", up to " + apart + " apart";
+    if (entries.most_pulses != 0) return "NO: " + count + ", but up to " + apart + " apart";
     return "yes: " + count + ", to the tick";
 }
 
@@ -236,7 +242,7 @@ Result<int> replay_program(const CommonOptions& common, const ReplayProgramOptio
         return same.error();
     ReplayedProgram replayed;
     replayed.trace = options.trace;
-    replayed.unverified_reason = reason_unjudged(*program, *entries);
+    replayed.unverified_reason = reason_unjudged(*program, *entries, snapshot.records);
     machine::remove_stale_private_segments();
     ProgramCoreLaunch launch{
         machine::private_segment_name(), {}, true, options.trace, std::nullopt, options.snapshot};

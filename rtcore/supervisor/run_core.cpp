@@ -90,7 +90,7 @@ void set_end(Replay& replay) {
 Result<std::optional<Replay>> load_replay_of_program(const std::string& path) {
     auto snapshot = load_snapshot(path);
     if (!snapshot) return snapshot.error();
-    if (snapshot->source == nullptr) return holds_no_program(path);
+    if (snapshot->source == nullptr || snapshot->source->source.program == 0) return holds_no_program(path);
     Replay replay;
     replay.program = snapshot->source->source.program;
     replay.script = script_of_program(snapshot->records, replay.program);

@@ -271,6 +271,7 @@ std::shared_ptr<const RecordedSource> recorded_source(const Segment& segment) {
     const auto progress = read_record(control.progress);
     const auto source = read_record(control.source);
     if (!progress || !source || source->program == 0 || source->program != progress->program) return nullptr;
+    if (source->profile_bytes > kSourceProfileBytes) return nullptr;  // no file could hold it
     auto recorded = std::make_shared<RecordedSource>();
     recorded->taken = progress->taken;
     recorded->record_sum = progress->record_sum;

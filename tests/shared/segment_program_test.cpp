@@ -229,6 +229,9 @@ TEST_F(SegmentProgram, TheSourceOfAProgramIsThereWithWhatTheCoreTookOfIt) {
     EXPECT_EQ(recorded->source.text_bytes, 77U);
     EXPECT_EQ(recorded->taken, 3U);
     EXPECT_EQ(recorded->record_sum, 99U);
+    source->profile_bytes = kSourceProfileBytes + 1;
+    writer.tell(*source);
+    EXPECT_EQ(recorded_source(*hmi_), nullptr) << "overwritten";
     desk_->end();
     writer.release();
     ProgramWriter next = ProgramWriter::claim(*hmi_).value();

@@ -85,7 +85,7 @@ public:
     Sample sample() const noexcept;
 
     /// For a replay only, before the first tick: every axis counts as homed and stands here; directions as in
-    /// `levels`.
+    /// `levels`, unless that is 0.
     void assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses,
                       SignalWord levels = 0) noexcept;
 

@@ -136,6 +136,23 @@ TEST_F(ReplayedProgram, HasTheSamePinsWithAHoldAnOverrideAndAProgramStop) {
     expect_same_pins();
 }
 
+// Each tip rests against the flank that homing has left it at.
+TEST_F(ReplayedProgram, HasTheSamePinsWhereScrewsHavePlay) {
+    Profile profile;
+    profile.r1.backlash_mm = 0.02;
+    profile.r2.backlash_mm = 0.02;
+    profile.y.backlash_mm = 0.02;
+    write("play.toml", profile_to_toml(profile));
+    start_core({"--profile", file("play.toml")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    (void)begin(long_program(10) + "M2\n", {"--profile", file("play.toml")})->wait();
+    (void)snapshot();
+    const Outcome again = replay();
+    EXPECT_EQ(again.json()["as_recorded"], true) << again.out;
+    EXPECT_EQ(again.json()["most_ticks_apart"], 0) << again.out;
+    expect_same_pins();
+}
+
 TEST_F(ReplayedProgram, EndsInTheEmergencyStopOfItsRecording) {
     begin_machine();
     const auto running = begin(long_program(200) + "M2\n");

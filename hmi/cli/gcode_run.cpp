@@ -23,6 +23,7 @@
 #include "hmi/cli/program_reading.hpp"
 #include "hmi/cli/program_ready.hpp"
 #include "hmi/cli/program_report.hpp"
+#include "hmi/cli/program_source.hpp"
 #include "hmi/cli/program_verify.hpp"
 #include "hmi/cli/program_watch.hpp"
 #include "hmi/cli/record_feeder.hpp"
@@ -159,6 +160,8 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     if (!writer) return writer.error();
     if (const auto held = offsets.hold(); !held) return held.error();
     if (const auto begun = writer->begin(kNumberLimit); !begun) return begun.error();
+    if (const auto told = tell_source(*writer, options, profile, *status, offsets.begin()); !told)
+        return told.error();
     gcode::RunOptions steps;
     steps.from_line = options.from_line;
     steps.stops_at_optional = options.stops_at_optional;

@@ -56,6 +56,8 @@ Result<std::unique_ptr<ProgramCore>> ProgramCore::start(ProgramCoreLaunch launch
     how.profile_path = "/proc/self/fd/" + std::to_string(profile_file->get());
     how.inherited_fds = {profile_file->get()};
     how.no_estimate = true;
+    how.replay_path = launch.replay_path;
+    how.replays_program = !launch.replay_path.empty();
     if (!launch.trace_path.empty()) how.trace_paths.push_back(launch.trace_path);
     if (launch.program) {
         how.trace_paths.push_back("fd:" + std::to_string(pipe->write_end.get()));

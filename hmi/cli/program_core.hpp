@@ -24,6 +24,7 @@ struct ProgramCoreLaunch {
     std::string trace_path;   ///< empty: no file
     /// What its pins are judged by while it runs; nothing: they are not.
     std::optional<verify::JudgedProgram> program;
+    std::string replay_path{};  ///< snapshot whose program it replays; empty: it serves commands
 };
 
 /// A core of our own on the simulated machine, by the virtual clock, for a program in G-code.
@@ -35,6 +36,7 @@ public:
     ProgramCore& operator=(const ProgramCore&) = delete;
 
     machine::MachineLink& link() noexcept { return link_; }
+    machine::CoreProcess& process() noexcept { return core_; }
     Result<void> home(OperatorBreak& operator_break);
     /// Ends the core and returns what its pins came to, nothing where they are not judged; an error where its
     /// trace is not whole.

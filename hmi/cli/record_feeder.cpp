@@ -26,9 +26,10 @@ Error given_up() {
 /// Into the ring, however long that takes.
 class RecordFeeder::Sink : public gcode::RecordSink {
 public:
-    explicit Sink(RecordFeeder& feeder) : feeder_(feeder) {}
+    Sink(RecordFeeder& feeder, std::uint64_t most_records) : feeder_(feeder), most_records_(most_records) {}
 
     Result<void> take(const MotionRecord& record) override {
+        if (feeder_.records_written_.load() == most_records_) return given_up();
         feeder_.trail_.note(record);
         for (;;) {
             const ProgramPut put = feeder_.writer_.put_for(record, kLook);
@@ -43,6 +44,7 @@ public:
 
 private:
     RecordFeeder& feeder_;
+    std::uint64_t most_records_;
 };
 
 RecordFeeder::RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer)
@@ -78,7 +80,7 @@ gcode::ProgramBytes RecordFeeder::patient(gcode::ProgramBytes bytes, int awaited
 }
 
 void RecordFeeder::feed(Program program, const Profile& profile) {
-    Sink sink{*this};
+    Sink sink{*this, program.most_records};
     gcode::RecordMaker maker{profile, program.run, sink};
     gcode::JudgedMotion motion{profile, problems_, maker, offsets_, trail_};
     gcode::LineSource lines{patient(std::move(program.bytes), program.awaited_fd)};

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <thread>
@@ -34,6 +35,8 @@ public:
         /// In the thread, before the end of a program that is right is written: what it leaves.
         std::function<void(const gcode::KeptOffsets&)> before_end{};
         std::size_t ring_records = 0;  ///< that the ring has room for
+        /// No more are written, and then not the program's end either.
+        std::uint64_t most_records = std::numeric_limits<std::uint64_t>::max();
     };
     /// The writer has begun its program, and outlives this.
     RecordFeeder(Program program, const Profile& profile, ProgramWriter& writer);

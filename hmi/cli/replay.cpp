@@ -6,6 +6,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
+#include "hmi/cli/replay_program.hpp"
 #include "hmi/cli/simulated_run.hpp"
 #include "hmi/machine/private_segment.hpp"
 #include "hmi/machine/unique_fd.hpp"
@@ -21,13 +22,17 @@ constexpr CommandText kReplayText{
     "Begins homed at the home positions. A job, and that of a trace, is run whole; of a snapshot, what its "
     "flight recorder holds\n"
     "from a moment on at which the machine was homed and at rest; without one it is refused, and carve\n"
-    "carves its job. The same file gives the same pins to the last bit.",
-    "psicarve replay figurine.job --trace pins.vcd --json"};
+    "carves its job. The same file gives the same pins to the last bit.\n"
+    "With --program, of a snapshot, its last program in G-code from the rest before it on: FILE is the text\n"
+    "that was run, and is refused where it is another one.",
+    "psicarve replay figurine.job --trace pins.vcd --json\n"
+    "  psicarve replay run.snap --program pocket.ngc"};
 
 struct ReplayOptions {
     std::string path;
     std::string trace;
     std::string picture;
+    std::string program;
     bool real_time = false;
 };
 
@@ -38,6 +43,11 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     const bool is_trace = verify::is_binary_trace(options.path);
     auto snapshot = load_job_file(options.path, "name a job or snapshot file instead");
     if (!snapshot) return snapshot.error();
+    if (!options.program.empty()) {
+        if (!snapshot->status && snapshot->records.empty())
+            return bad_input(options.path + ": --program is for a snapshot of a machine");
+        return replay_program(common, {options.path, options.program, options.trace}, *snapshot);
+    }
     const std::string program = unreplayed_program_text(snapshot->records);
     if (snapshot->job_blob.empty() && !program.empty()) return bad_input(options.path + ": " + program);
     Result<machine::UniqueFd> file = machine::UniqueFd{};
@@ -71,7 +81,11 @@ void add_replay(CommandSet& commands) {
         .input("JOB|TRACE", options->path, "A job or snapshot file, or a trace that carries its job")
         .option("--trace", options->trace, "FILE", "Record every pin: .vcd, or compact binary")
         .picture_option(options->picture)
-        .flag("--real-time", options->real_time, "By the wall clock, to watch with psicarve status");
+        .option("--program", options->program, "FILE",
+                "Of a snapshot, its program in G-code, whose text is in this file")
+        .flag("--real-time", options->real_time, "By the wall clock, to watch with psicarve status")
+        .excludes("--program", "--picture")
+        .excludes("--program", "--real-time");
 }
 
 }  // namespace psicarve::cli

@@ -43,6 +43,7 @@ std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::strin
         arguments.push_back(std::to_string(launch.capacity_layers) + "x" +
                             std::to_string(launch.capacity_points));
     }
+    if (launch.replays_program) arguments.emplace_back("--replay-program");
     if (launch.no_estimate) arguments.emplace_back("--no-estimate");
     if (!launch.outlives_us) arguments.emplace_back("--exit-with-parent");
     const auto add = [&arguments](const char* option, const std::string& value) {

@@ -24,7 +24,8 @@ struct CoreLaunch {
     bool on_real_clock = false;
     std::string profile_path;              ///< TOML or a job file; empty: the built-in profile
     std::vector<std::string> trace_paths;  ///< files, or fd:N of an inherited descriptor
-    std::string replay_path;  ///< job or snapshot to run from the home positions; empty: serve commands
+    std::string replay_path;       ///< job or snapshot to run from the home positions; empty: serve commands
+    bool replays_program = false;  ///< its program, with the records that a writer gives
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;

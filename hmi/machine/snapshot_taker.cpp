@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/machine/snapshot_taker.hpp"
 
+#include "shared/segment/segment_program.hpp"
 #include "shared/segment/shared_record.hpp"
 
 namespace psicarve::machine {
@@ -22,6 +23,7 @@ Result<Snapshot> take_snapshot(MachineLink& link, std::chrono::milliseconds limi
         if (!record) break;
         snapshot.records.push_back(*record);
     }
+    snapshot.source = recorded_source(link.segment());
     if (snapshot.job_blob.empty() && !snapshot.status && snapshot.records.empty()) {
         return Error{ErrorCode::no_core,
                      "segment " + link.segment_name() +

@@ -84,8 +84,10 @@ public:
     /// What the sample record shows when it is renewed.
     Sample sample() const noexcept;
 
-    /// For a replay only, before the first tick: every axis counts as homed and stands here.
-    void assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses) noexcept;
+    /// For a replay only, before the first tick: every axis counts as homed and stands here; directions as in
+    /// `levels`, unless that is 0.
+    void assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses,
+                      SignalWord levels = 0) noexcept;
 
 private:
     // cycle.cpp: the tick

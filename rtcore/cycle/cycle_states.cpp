@@ -164,7 +164,9 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
     }
 }
 
-void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses) noexcept {
+void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses,
+                         SignalWord levels) noexcept {
+    if (levels != 0) pulses_.assume_directions(levels);
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses_.set_position(k, position_pulses[k]);
     homed_.add_all();
     apply(MachineEvent::home);

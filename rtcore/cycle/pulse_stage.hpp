@@ -109,6 +109,12 @@ public:
         forget_waiting();
         begun_ = 0;
     }
+    /// Before the first tick: where the direction pins stood when the machine came to its place, by a way
+    /// longer than its screws' gaps.
+    void assume_directions(SignalWord levels) noexcept {
+        levels_ = (levels_ & ~kDirMask) | (levels & kDirMask);
+        for (std::size_t k = 0; k < kAxisCount; ++k) tips_.rest_against(k, is_positive(k));
+    }
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
     void set_spindle(bool on) noexcept {
         levels_ = on ? levels_ | bit_of(Signal::spindle) : levels_ & ~bit_of(Signal::spindle);

@@ -34,6 +34,9 @@ public:
         position_[axis] = position_pulses;
     }
 
+    /// It rests against the flank that pushes it up (or down).
+    void rest_against(std::size_t axis, bool up) noexcept { slack_[axis] = up ? 0 : backlash_[axis]; }
+
     const std::array<std::int64_t, kAxisCount>& positions() const noexcept { return position_; }
     /// Some screw has a gap.
     bool has_backlash() const noexcept { return has_backlash_; }

@@ -136,6 +136,8 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
                    "Run this job or snapshot file from the home positions, then exit")
         ->type_name("JOB")
         ->check(check_not_empty);
+    app.add_flag("--replay-program", options.replays_program,
+                 "With --replay: run the snapshot's G-code program, whose records another process writes");
     app.add_flag("--assume-homed", options.assume_homed,
                  "With --replay on a real port: the machine stands at its home positions");
     app.add_flag(
@@ -221,6 +223,8 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     }
     if (options.assume_homed && options.replay_path.empty())
         return wrong("--assume-homed", "is for --replay on a real port; home the machine instead");
+    if (options.replays_program && (options.replay_path.empty() || options.clock == ClockKind::real))
+        return wrong("--replay-program", "is for --replay on the virtual clock");
     if (app.count("--state") > 0 && app.count("--no-state") > 0)
         return wrong("--state", "and --no-state contradict each other");
     if (!options.replay_path.empty() && app.count("--state") > 0)

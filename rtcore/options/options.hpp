@@ -34,6 +34,7 @@ struct CoreOptions {
     std::string piece_path;    ///< at the end: what the tips left of the blank, CSV; simulated machine
     std::vector<std::string> trace_paths;  ///< file or "fd:N"; ".vcd": value-change dump, else binary
     std::string replay_path;               ///< job or snapshot file; empty: serve commands
+    bool replays_program = false;          ///< of the snapshot, with the records of a writer
     std::uint32_t capacity_layers = kDefaultCapacityLayers;
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::uint32_t capacity_records = kDefaultRingRecords;  ///< of the ring of a program

@@ -36,10 +36,11 @@ Supply RecordIntake::take(RingAnswer answer, const MotionRecord& record, plan::P
     at_ = found.target_pulses;
     rounded_off_pulses_ = found.rounded_off_pulses;
     taken_ = record.sequence;
+    record_sum_ = with_record(record_sum_, record.check);
     line_ = record.line;
     const bool is_end = record.kind == MotionKind::end;
     if (is_end) over_ = Supply::ended;
-    feed_.say(taken_, line_, is_end ? ProgramEnd::ended : ProgramEnd::none);
+    feed_.say(taken_, line_, is_end ? ProgramEnd::ended : ProgramEnd::none, record_sum_);
     return Supply::step;
 }
 
@@ -65,7 +66,7 @@ Supply RecordIntake::finish(Supply how, std::uint64_t line, const Message& why) 
     refusal_ = Refusal{line, why};
     // The reason first: who sees the end finds it.
     feed_.say_refusal(line, why);
-    feed_.say(taken_, line_, how == Supply::lost ? ProgramEnd::lost : ProgramEnd::refused);
+    feed_.say(taken_, line_, how == Supply::lost ? ProgramEnd::lost : ProgramEnd::refused, record_sum_);
     return how;
 }
 

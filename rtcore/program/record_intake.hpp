@@ -61,6 +61,7 @@ private:
     std::array<double, kAxisCount> rounded_off_pulses_{};  ///< as ProgramStep has it, of the last step
     std::uint64_t taken_ = 0;
     std::uint64_t line_ = 0;
+    std::uint64_t record_sum_ = 0;            ///< with_record() over those taken
     plan::Supply over_ = plan::Supply::step;  ///< once it is ended, lost or refused
     std::optional<Refusal> refusal_;
 };

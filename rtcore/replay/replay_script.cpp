@@ -27,6 +27,10 @@ std::optional<cycle::RequestKind> request_of(const FlightRecord& record) {
     return cycle::request_of(static_cast<CommandKind>(record.code));
 }
 
+bool is_leased_look(cycle::RequestKind request) {
+    return request == cycle::RequestKind::test_pin || request == cycle::RequestKind::record;
+}
+
 ReplayStep request_step(const FlightRecord& record, cycle::RequestKind request, std::uint64_t value) {
     ReplayStep step{};
     step.kind = ReplayStep::Kind::request;
@@ -42,9 +46,10 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
     step.axis = static_cast<std::uint8_t>(record.axis);
     switch (record.kind) {
         case RecordKind::command:
-            if (const auto request = request_of(record); request && *request != cycle::RequestKind::test_pin)
+            // A test and a recording of pins move nothing, and their leases are not recorded.
+            if (const auto request = request_of(record); request && !is_leased_look(*request))
                 return request_step(record, *request, value);
-            return std::nullopt;  // a test moves nothing, and its lease is not recorded
+            return std::nullopt;
         case RecordKind::jog_end:
             return request_step(record, cycle::RequestKind::end_jog, record.code);
         case RecordKind::failure:
@@ -67,6 +72,14 @@ std::optional<ReplayStep> step_of(const FlightRecord& record) {
         default:
             return std::nullopt;
     }
+}
+
+ReplayStep spindle_on() {
+    ReplayStep step{};
+    step.kind = ReplayStep::Kind::request;
+    step.request = cycle::RequestKind::spindle;
+    step.value = 1;
+    return step;
 }
 
 /// One part of the order that the next command carries.
@@ -104,13 +117,16 @@ Records::const_iterator first_after_job(const Records& records) {
     return std::find_if(job, records.end(), is_homed_rest);
 }
 
-/// Nor is a program of motion records in it: what can be run again begins after the last one.
+bool is_command(const FlightRecord& record, CommandKind kind) {
+    return is_done(record, RecordKind::command) && static_cast<CommandKind>(record.code) == kind;
+}
+bool is_program(const FlightRecord& record) {
+    return is_command(record, CommandKind::program);
+}
+
+/// Nor are the records of a program in it: without them what can be run again begins after the last one.
 Records::const_iterator first_of_script(const Records& records) {
     const auto first = first_after_job(records);
-    const auto is_program = [](const FlightRecord& record) {
-        return is_done(record, RecordKind::command) &&
-               static_cast<CommandKind>(record.code) == CommandKind::program;
-    };
     const auto last_program =
         std::find_if(records.rbegin(), Records::const_reverse_iterator{first}, is_program);
     if (last_program == Records::const_reverse_iterator{first}) return first;
@@ -130,25 +146,24 @@ std::optional<ReplayStep> override_before(const Records& records, Records::const
     return step;
 }
 
-}  // namespace
-
-std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records) {
-    const auto first = first_of_script(records);
-    if (first == records.end() || std::next(first) == records.end()) return std::nullopt;
+ReplayScript script_of(const Records& records, Records::const_iterator first, Records::const_iterator last) {
     ReplayScript script;
+    script.is_cut = last != records.end();
     script.first_tick = first->tick;
-    script.start_inputs = first->signals & kInputMask;
+    script.start_levels = first->signals;
     std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
     cycle::MotionOrder order{};
+    bool begun_single = false;
     for (const CommandKind kind : {CommandKind::override, CommandKind::rapid_override}) {
         auto override_step = override_before(records, first, kind);
         if (!override_step) continue;
         override_step->tick = 0;
         script.steps.push_back(*override_step);
     }
-    for (auto record = std::next(first); record != records.end(); ++record) {
+    for (auto record = std::next(first); record != last; ++record) {
         if (record->tick < first->tick) continue;
         script.end_tick = std::max(script.end_tick, record->tick - first->tick);
+        if (is_of_program(*record, ProgramEvent::begun)) begun_single = program_detail_of(*record) != 0;
         if (record->kind == RecordKind::order) {
             add_part(order, *record);
             continue;
@@ -156,10 +171,39 @@ std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>&
         if (auto step = step_of(*record)) {
             step->tick = record->tick - first->tick;
             if (record->kind == RecordKind::command) step->order = std::exchange(order, {});
+            // A command's record has no room for it; the begin is told before the answer.
+            if (is_program(*record)) step->axis = begun_single ? 1 : 0;
             script.steps.push_back(*step);
         }
     }
+    return script;
+}
+
+}  // namespace
+
+std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records) {
+    const auto first = first_of_script(records);
+    if (first == records.end() || std::next(first) == records.end()) return std::nullopt;
+    ReplayScript script = script_of(records, first, records.end());
     if (script.steps.empty()) return std::nullopt;
+    return script;
+}
+
+std::optional<ReplayScript> script_of_program(const std::vector<FlightRecord>& records,
+                                              std::uint64_t program) {
+    const auto last_program = std::find_if(records.rbegin(), records.rend(), is_program);
+    if (last_program == records.rend()) return std::nullopt;
+    if (static_cast<std::uint64_t>(last_program->value) != program) return std::nullopt;
+    const auto rest = std::find_if(last_program, records.rend(), is_homed_rest);
+    if (rest == records.rend()) return std::nullopt;
+    const auto next_job = std::find_if(last_program.base(), records.end(), [](const FlightRecord& record) {
+        return is_done(record, RecordKind::job) || is_command(record, CommandKind::start);
+    });
+    const auto first = std::prev(rest.base());
+    ReplayScript script = script_of(records, first, next_job);
+    // What a homed machine has on at rest by a command that came before that.
+    if ((first->signals & bit_of(Signal::spindle)) != 0)
+        script.steps.insert(script.steps.begin(), spindle_on());
     return script;
 }
 

@@ -31,13 +31,19 @@ struct ReplayStep {
 /// and at rest, to the last entry.
 struct ReplayScript {
     std::array<std::int64_t, kAxisCount> start_position_pulses{};
-    SignalWord start_inputs = 0;
+    SignalWord start_levels = 0;  ///< of all pins
     std::vector<ReplayStep> steps;
     std::uint64_t end_tick = 0;    ///< the last entry's
     std::uint64_t first_tick = 0;  ///< tick of the recorded run that is tick 0 here
+    bool is_cut = false;           ///< more was recorded, and is not in it
 };
 
 /// Nothing when the recorder never saw the machine homed and at rest, or holds nothing after that.
 std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records);
+
+/// The same from the rest at which the program of that number was started, if it was the last one; up to the
+/// next job, which is another replay's. Nothing when the recorder does not hold that.
+std::optional<ReplayScript> script_of_program(const std::vector<FlightRecord>& records,
+                                              std::uint64_t program);
 
 }  // namespace psicarve::supervisor

@@ -97,7 +97,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->io->traces_always = parts->traces.is_open();
     parts->cycle =
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
-    if (request.homed_start) parts->cycle->assume_homed(*request.homed_start);
+    if (request.homed_start) parts->cycle->assume_homed(*request.homed_start, request.start_levels);
     parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
     if (!request.homed_start && !options.no_estimate)
         parts->estimator = std::make_unique<plan::JobEstimator>(profile);

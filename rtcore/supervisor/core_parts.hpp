@@ -52,6 +52,7 @@ struct CoreParts {
 struct PartsRequest {
     Profile machine;  ///< of the simulated machine
     HomedStart homed_start;
+    SignalWord start_levels = 0;  ///< with homed_start: as directions were left
     bool plays_recorded_inputs = false;
     std::optional<GuardedPort> real_port;  ///< nothing: the simulated one
 };

@@ -57,6 +57,7 @@ struct Replay {
     Snapshot snapshot;
     std::optional<ReplayScript> script;
     std::uint64_t end_tick = 0;
+    std::uint64_t program = 0;  ///< whose records a writer gives; 0: it is of none
 };
 
 Error nothing_recorded(const std::string& path, const Snapshot& snapshot) {
@@ -72,9 +73,37 @@ Error holds_no_job(const std::string& path, const Snapshot& snapshot) {
     return bad_input(path + ": " + (program.empty() ? std::string{"holds no job to replay"} : program));
 }
 
+Error holds_no_program(const std::string& path) {
+    return bad_input(path +
+                     ": its flight recorder holds no program of which it has the source, from the rest "
+                     "before it on");
+}
+
+/// Of a machine's snapshot, what was recorded.
+void set_end(Replay& replay) {
+    replay.end_tick = replay.script->end_tick;
+    const auto& status = replay.snapshot.status;
+    if (!replay.script->is_cut && status && status->tick > replay.script->first_tick)
+        replay.end_tick = std::max(replay.end_tick, status->tick - replay.script->first_tick);
+}
+
+Result<std::optional<Replay>> load_replay_of_program(const std::string& path) {
+    auto snapshot = load_snapshot(path);
+    if (!snapshot) return snapshot.error();
+    if (snapshot->source == nullptr || snapshot->source->source.program == 0) return holds_no_program(path);
+    Replay replay;
+    replay.program = snapshot->source->source.program;
+    replay.script = script_of_program(snapshot->records, replay.program);
+    if (!replay.script) return holds_no_program(path);
+    replay.snapshot = std::move(*snapshot);
+    set_end(replay);
+    return std::optional<Replay>{std::move(replay)};
+}
+
 /// A job file is run whole; of a machine's snapshot what was recorded, and nothing else.
 Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
     if (options.replay_path.empty()) return std::optional<Replay>{};
+    if (options.replays_program) return load_replay_of_program(options.replay_path);
     auto snapshot = load_snapshot(options.replay_path);
     if (!snapshot) return snapshot.error();
     if (snapshot->job_blob.empty()) return holds_no_job(options.replay_path, *snapshot);
@@ -82,13 +111,8 @@ Result<std::optional<Replay>> load_replay(const CoreOptions& options) {
     replay.script = script_from_records(snapshot->records);
     const bool is_of_a_machine = snapshot->status.has_value() || !snapshot->records.empty();
     if (is_of_a_machine && !replay.script) return nothing_recorded(options.replay_path, *snapshot);
-    if (replay.script) {
-        replay.end_tick = replay.script->end_tick;
-        if (snapshot->status && snapshot->status->tick > replay.script->first_tick) {
-            replay.end_tick = std::max(replay.end_tick, snapshot->status->tick - replay.script->first_tick);
-        }
-    }
     replay.snapshot = std::move(*snapshot);
+    if (replay.script) set_end(replay);
     return std::optional<Replay>{std::move(replay)};
 }
 
@@ -105,6 +129,7 @@ PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile
     request.machine = machine;
     if (!replay) return request;
     request.homed_start = replay->script ? replay->script->start_position_pulses : home_positions(profile);
+    if (replay->script) request.start_levels = replay->script->start_levels;
     request.plays_recorded_inputs = replay->script.has_value();
     return request;
 }
@@ -151,9 +176,14 @@ int run_loop(CoreParts& parts, Supervisor& supervisor, std::optional<Replay>& re
     Directors directors;
     if (replay && replay->script) {
         if (parts.recorded_inputs != nullptr)
-            parts.recorded_inputs->show_inputs(replay->script->start_inputs);
+            parts.recorded_inputs->show_inputs(replay->script->start_levels);
         record_director.emplace(*replay->script, replay->end_tick);
         directors.record = &*record_director;
+        if (replay->program != 0) {
+            directors.open_program = [&supervisor, program = replay->program] {
+                return supervisor.open_program(program).has_value();
+            };
+        }
     } else if (replay) {
         directors.job = &job_director;
     }
@@ -213,7 +243,7 @@ ProgramAccess access_to(program::ProgramServer& programs) {
 int serve_segment(const CoreOptions& options, const Profile& profile, PartsRequest request, Segment segment,
                   std::optional<Replay>& replay) {
     EndRequest end;
-    if (replay) {
+    if (replay && replay->program == 0) {
         const auto published = publish_recorded_job(segment, replay->snapshot.job_blob);
         if (!published) return fail(published.error());
     }
@@ -227,9 +257,14 @@ int serve_segment(const CoreOptions& options, const Profile& profile, PartsReque
                           .is_simulator = options.port.is_simulated(),
                           .is_virtual_clock = options.clock == ClockKind::virtual_time,
                           .missing_sensors_mask = missing_sensors(profile)};
-    program::ProgramServer programs{profile, program::first_program_number(std::chrono::steady_clock::now())};
+    // A replay's program has the number that it had.
+    const bool replays_program = replay && replay->program != 0;
+    const std::uint64_t last_number = replays_program
+                                          ? replay->program - 1
+                                          : program::first_program_number(std::chrono::steady_clock::now());
+    program::ProgramServer programs{profile, last_number};
     Supervisor supervisor{**parts, segment_options_of(options), std::move(segment), facts};
-    if (!replay) supervisor.set_program_access(access_to(programs));
+    if (!replay || replays_program) supervisor.set_program_access(access_to(programs));
     if (replay && replay->script) supervisor.refuse_commands(message_of(MessageId::replaying));
     if (facts.is_virtual_clock && !replay) supervisor.load_left_job();
     supervisor.segment().sign_core();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "rtcore/realtime/realtime_setup.hpp"
 #include "rtcore/supervisor/core_parts.hpp"
 #include "rtcore/supervisor/end_request.hpp"
@@ -13,6 +15,9 @@ namespace psicarve::supervisor {
 struct Directors {
     JobDirector* job = nullptr;
     RecordDirector* record = nullptr;
+    /// On the virtual clock: makes the program of `record` ready, once its writer is there; false: it is not.
+    /// Empty: `record` is of a job, or of moves, and waits for the job.
+    std::function<bool()> open_program;
 };
 
 /// One thread does everything in turn, as fast as it goes; only traces and words are written by others. Time

@@ -78,15 +78,17 @@ void Supervisor::introduce() {
 void Supervisor::set_program_access(ProgramAccess access) {
     programs_ = std::move(access);
     if (!programs_.open) return;
-    server_.set_program_opener([this](std::uint64_t program) -> Result<void> {
-        auto source = programs_.open(program);
-        if (!source) return source.error();
-        parts_->planner->set_source(std::move(*source), program);
-        return {};
-    });
+    server_.set_program_opener([this](std::uint64_t program) { return open_program(program); });
     server_.set_opened_taker([this](std::uint64_t program, bool is_done) {
         if (programs_.note_answer) programs_.note_answer(program, is_done);
     });
+}
+
+Result<void> Supervisor::open_program(std::uint64_t program) {
+    auto source = programs_.open(program);
+    if (!source) return source.error();
+    parts_->planner->set_source(std::move(*source), program);
+    return {};
 }
 
 bool Supervisor::poll(Hearing hearing) {

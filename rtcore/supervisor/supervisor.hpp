@@ -59,6 +59,8 @@ public:
 
     /// Before the first round. Without it there are no programs.
     void set_program_access(ProgramAccess access);
+    /// Makes it ready for the planner, or says why it cannot be run.
+    Result<void> open_program(std::uint64_t program);
 
     void set_lateness(const LatenessFacts& lateness) noexcept { mirror_.set_lateness(lateness); }
     void set_realtime(const RealtimeFacts& realtime) noexcept { mirror_.set_realtime(realtime); }

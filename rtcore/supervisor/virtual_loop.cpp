@@ -153,8 +153,12 @@ int run_on_virtual_clock(CoreParts& parts, Supervisor& supervisor, const Directo
         }
         if (directors.record != nullptr) {
             const std::uint64_t next_tick = parts.cycle->next_tick();
-            if (!directors.record->has_begun() && supervisor.sample().job_generation != 0) {
-                directors.record->begin(next_tick);
+            const auto may_begin = [&] {
+                return directors.open_program ? directors.open_program()
+                                              : supervisor.sample().job_generation != 0;
+            };
+            if (!directors.record->has_begun()) {
+                if (may_begin()) directors.record->begin(next_tick);
             } else if (directors.record->is_over(next_tick)) {
                 if (supervisor.sample().state == MachineState::alarm) exit_code = kExitAlarm;
                 break;

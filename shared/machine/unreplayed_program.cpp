@@ -11,8 +11,8 @@ std::string unreplayed_program_text(std::span<const FlightRecord> records) {
     const std::string place =
         program.line == 0 ? "before its first line" : "up to line " + std::to_string(program.line);
     return "nothing to replay: it recorded a program in G-code, " + place +
-           ", whose file is not in it; 'psicarve snapshot info' tells what happened, and "
-           "'psicarve gcode run FILE --simulate' runs the program once more";
+           ", whose file is not in it; 'psicarve replay SNAPSHOT --program FILE' replays it, and "
+           "'psicarve snapshot info' tells what happened";
 }
 
 }  // namespace psicarve

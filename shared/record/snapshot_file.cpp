@@ -4,8 +4,10 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -26,11 +28,22 @@ Error wrong(const std::string& file_name, const std::string& what) {
     return bad_input(file_name + ": " + what);
 }
 
+constexpr std::size_t kSourceBytesBeforeProfile =
+    offsetof(RecordedSource, source) + offsetof(ProgramSource, profile);
+
+/// Of a source in a file: the profile is as long as it is.
+Bytes bytes_of(const RecordedSource& recorded) noexcept {
+    const std::uint64_t profile_bytes =
+        std::min<std::uint64_t>(recorded.source.profile_bytes, kSourceProfileBytes);
+    return std::as_bytes(std::span{&recorded, 1})
+        .first(round_up_to_8(kSourceBytesBeforeProfile + profile_bytes));
+}
+
 SnapshotHeader header_of(const Snapshot& snapshot, std::uint64_t job_bytes) noexcept {
     SnapshotHeader header{};
     const bool has_status = snapshot.status.has_value() || !snapshot.records.empty();
     header.magic = kSnapshotMagic;
-    header.version = kSnapshotVersion;
+    header.version = snapshot.source ? kSnapshotWithSourceVersion : kSnapshotVersion;
     header.layout_version = kLayoutVersion;
     header.abi_hash = snapshot_abi_hash(has_status);
     header.status_offset = sizeof(SnapshotHeader);
@@ -39,7 +52,8 @@ SnapshotHeader header_of(const Snapshot& snapshot, std::uint64_t job_bytes) noex
     header.recorder_bytes = snapshot.records.size() * sizeof(FlightRecord);
     header.job_offset = header.recorder_offset + header.recorder_bytes;
     header.job_bytes = job_bytes;
-    header.total_bytes = header.job_offset + round_up_to_8(header.job_bytes);
+    header.total_bytes = header.job_offset + round_up_to_8(header.job_bytes) +
+                         (snapshot.source ? bytes_of(*snapshot.source).size() : 0);
     header.capacity_layers = snapshot.capacity_layers;
     header.capacity_points = snapshot.capacity_points;
     header.generation = snapshot.generation;
@@ -79,10 +93,10 @@ Bytes padding_behind(std::uint64_t job_bytes) noexcept {
 }
 
 /// The file's parts behind the header, in their order; point into the snapshot.
-std::array<Bytes, 4> parts_of(const Snapshot& snapshot) noexcept {
+std::array<Bytes, 5> parts_of(const Snapshot& snapshot) noexcept {
     return {snapshot.status ? std::as_bytes(std::span{&*snapshot.status, 1}) : Bytes{},
             std::as_bytes(std::span{snapshot.records}), Bytes{snapshot.job_blob},
-            padding_behind(snapshot.job_blob.size())};
+            padding_behind(snapshot.job_blob.size()), snapshot.source ? bytes_of(*snapshot.source) : Bytes{}};
 }
 
 /// Sizes and offsets: the parts follow each other without a gap, so nothing can overlap or overflow.
@@ -99,20 +113,24 @@ Result<void> check_sizes(const SnapshotHeader& header, std::uint64_t file_bytes,
                                   header.recorder_bytes <= file_bytes &&
                                   header.recorder_bytes % sizeof(FlightRecord) == 0 &&
                                   header.job_bytes <= file_bytes;
+    const std::uint64_t end_of_job = header.job_offset + round_up_to_8(header.job_bytes);
+    const bool has_source = header.version == kSnapshotWithSourceVersion;
     const bool do_follow_each_other =
         is_each_possible && header.status_offset == sizeof(SnapshotHeader) &&
         header.recorder_offset == header.status_offset + header.status_bytes &&
         header.job_offset == header.recorder_offset + header.recorder_bytes &&
-        header.total_bytes == header.job_offset + round_up_to_8(header.job_bytes);
+        (has_source ? header.total_bytes >= end_of_job + kSourceBytesBeforeProfile
+                    : header.total_bytes == end_of_job);
     if (!do_follow_each_other) return wrong(file_name, "damaged: sizes and offsets do not fit each other");
     return {};
 }
 
 Result<void> check_kind(const SnapshotHeader& header, const std::string& file_name) {
     if (header.magic != kSnapshotMagic) return wrong(file_name, "is no psicarve job or snapshot file");
-    if (header.version != kSnapshotVersion) {
+    if (header.version != kSnapshotVersion && header.version != kSnapshotWithSourceVersion) {
         return wrong(file_name, "file version " + std::to_string(header.version) + ", this program knows " +
-                                    std::to_string(kSnapshotVersion) + ": make the file anew");
+                                    std::to_string(kSnapshotVersion) + " and " +
+                                    std::to_string(kSnapshotWithSourceVersion) + ": make the file anew");
     }
     const bool has_status = header.status_bytes != 0 || header.recorder_bytes != 0;
     const bool is_known_status =
@@ -137,6 +155,17 @@ Result<std::optional<Checkpoint>> take_checkpoint(const SnapshotHeader& header,
         checkpoint_at(header.checkpoint_job, header.checkpoint_next_layer, header.checkpoint_layer_count);
     if (!is_checkpoint(checkpoint)) return wrong(file_name, "damaged: its checkpoint is beyond the job");
     return std::optional{checkpoint};
+}
+
+/// What follows the job, to the end of the file; requires check_sizes().
+Result<std::shared_ptr<const RecordedSource>> take_source(Bytes rest, const std::string& file_name) {
+    auto recorded = std::make_shared<RecordedSource>();
+    if (rest.size() <= sizeof(RecordedSource)) std::memcpy(recorded.get(), rest.data(), rest.size());
+    const ProgramSource& source = recorded->source;
+    const bool is_whole =
+        source.profile_bytes <= kSourceProfileBytes && bytes_of(*recorded).size() == rest.size();
+    if (!is_whole) return wrong(file_name, "damaged: the source of its program has another size");
+    return std::shared_ptr<const RecordedSource>{std::move(recorded)};
 }
 
 Result<void> check_contents(const Snapshot& snapshot, const std::string& file_name) {
@@ -202,6 +231,12 @@ Result<Snapshot> parse_snapshot(std::span<const std::byte> bytes, const std::str
     const auto checkpoint = take_checkpoint(header, file_name);
     if (!checkpoint) return checkpoint.error();
     snapshot.checkpoint = *checkpoint;
+    if (header.version == kSnapshotWithSourceVersion) {
+        auto source =
+            take_source(bytes.subspan(header.job_offset + round_up_to_8(header.job_bytes)), file_name);
+        if (!source) return source.error();
+        snapshot.source = std::move(*source);
+    }
     if (auto contents = check_contents(snapshot, file_name); !contents) return contents.error();
     return snapshot;
 }
@@ -233,7 +268,8 @@ Result<void> save_snapshot(const Snapshot& snapshot, const std::string& path, co
     SnapshotHeader header = header_of(snapshot);
     header.checksum = checksum_of(header, parts);
     // Written part by part: there may be no memory for another copy of a job.
-    const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
+    const std::array all{
+        std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3], parts[4]};
     return write_parts_atomically(path, all, *rights);
 }
 
@@ -249,7 +285,8 @@ Result<void> write_snapshot(const Snapshot& snapshot, int descriptor, const std:
     const auto parts = parts_of(snapshot);
     SnapshotHeader header = header_of(snapshot);
     header.checksum = checksum_of(header, parts);
-    const std::array all{std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3]};
+    const std::array all{
+        std::as_bytes(std::span{&header, 1}), parts[0], parts[1], parts[2], parts[3], parts[4]};
     for (std::span<const std::byte> part : all) {
         while (!part.empty()) {
             const ssize_t done = ::write(descriptor, part.data(), part.size());

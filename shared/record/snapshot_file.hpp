@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,16 +12,20 @@
 #include "shared/base/result.hpp"
 #include "shared/file/atomic_file.hpp"
 #include "shared/job/job.hpp"
+#include "shared/program/program_source.hpp"
 #include "shared/segment/layout.hpp"
 
 namespace psicarve {
 
 inline constexpr std::uint64_t kSnapshotMagic = 0x3150414e53435350ULL;  // "PSCSNAP1"
 inline constexpr std::uint32_t kSnapshotVersion = 1;
+/// Of a snapshot with the source of a program; all others are of kSnapshotVersion, and read by older
+/// programs.
+inline constexpr std::uint32_t kSnapshotWithSourceVersion = 2;
 
 /// First bytes of a job or snapshot file. Little-endian. Then come, without a gap: the status (CoreStatus or
 /// nothing), the flight recorder (FlightRecord, oldest first), the job blob, zeros up to a multiple of 8
-/// bytes.
+/// bytes; with kSnapshotWithSourceVersion a RecordedSource, as far as its profile goes, and zeros likewise.
 struct SnapshotHeader {
     std::uint64_t magic;
     std::uint32_t version;
@@ -53,6 +58,9 @@ struct Snapshot {
     std::uint32_t capacity_points = 0;
     std::uint64_t generation = 0;
     std::optional<Checkpoint> checkpoint;  ///< passes is_checkpoint; may be of another job
+    /// Of the last program; null: there was none, or an older psicarve ran it. None of it is checked but that
+    /// its profile_bytes are there.
+    std::shared_ptr<const RecordedSource> source;
 };
 
 /// Whether the file begins like a job or snapshot file (so that `carve FILE` can tell a job from a model).

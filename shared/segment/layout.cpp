@@ -101,6 +101,7 @@ constexpr std::uint64_t program_hash(std::uint64_t hash) noexcept {
                                offsetof(ProgramControl, refusal),
                                offsetof(ProgramControl, status),
                                offsetof(ProgramControl, modes),
+                               offsetof(ProgramControl, source),
                                sizeof(ProgramStatus),
                                offsetof(ProgramStatus, sequence),
                                sizeof(ProgramModes),
@@ -112,6 +113,15 @@ constexpr std::uint64_t program_hash(std::uint64_t hash) noexcept {
                                offsetof(ProgramProgress, taken),
                                offsetof(ProgramProgress, line),
                                offsetof(ProgramProgress, end),
+                               offsetof(ProgramProgress, record_sum),
+                               sizeof(ProgramSource),
+                               offsetof(ProgramSource, text_sum),
+                               offsetof(ProgramSource, from_line),
+                               offsetof(ProgramSource, flags),
+                               offsetof(ProgramSource, start_pulses),
+                               offsetof(ProgramSource, kept),
+                               offsetof(ProgramSource, name),
+                               offsetof(ProgramSource, profile),
                                offsetof(ProgramRefusal, line),
                                offsetof(ProgramRefusal, said)});
 }

@@ -14,6 +14,7 @@
 #include "shared/machine/program_modes.hpp"
 #include "shared/machine/program_status.hpp"
 #include "shared/machine/status.hpp"
+#include "shared/program/program_source.hpp"
 #include "shared/program/record_ring.hpp"
 #include "shared/segment/checkpoint.hpp"
 
@@ -34,6 +35,7 @@ inline constexpr std::uint32_t kDefaultCapacityLayers = 4000;
 inline constexpr std::uint32_t kDefaultCapacityPoints = 3600;
 inline constexpr std::uint64_t kJobTextBytes = 64 * 1024;  ///< room for profile and report text in a slot
 static_assert(kProfileTextBytes + kReportTextBytes <= kJobTextBytes);
+static_assert(kProfileTextBytes == kSourceProfileBytes);
 inline constexpr std::size_t kCommandSlots = 64;
 inline constexpr std::size_t kIncrementRingEntries = 65536;
 inline constexpr std::size_t kFlightRecords = 8192;
@@ -161,8 +163,9 @@ struct ProgramProgress {
     std::uint64_t line;   ///< of that record
     std::uint32_t end;    ///< ProgramEnd
     std::uint32_t reserved;
+    std::uint64_t record_sum;  ///< with_record() over those taken
 };
-static_assert(sizeof(ProgramProgress) == 32 && std::is_trivially_copyable_v<ProgramProgress>,
+static_assert(sizeof(ProgramProgress) == 40 && std::is_trivially_copyable_v<ProgramProgress>,
               "bump kLayoutVersion");
 
 /// Why no more records are taken. The numbers are part of the segment's layout.
@@ -197,6 +200,7 @@ struct ProgramControl {
     SharedRecord<ProgramRefusal> refusal;
     SharedRecord<ProgramStatus> status;  ///< of the program that runs, or ran last: how far the machine is
     SharedRecord<ProgramModes> modes;    ///< by the writer, as it follows the machine
+    SharedRecord<ProgramSource> source;  ///< by the writer, before it asks for the start
 };
 
 struct SegmentHeader {

@@ -216,6 +216,13 @@ void ProgramWriter::tell(const ProgramModes& modes) noexcept {
     write_record(segment_->header().program.modes, ours);
 }
 
+void ProgramWriter::tell(const ProgramSource& source) noexcept {
+    if (segment_ == nullptr || program_ == 0 || !has_same_core()) return;
+    ProgramSource ours = source;
+    ours.program = program_;
+    write_record(segment_->header().program.source, ours);
+}
+
 void ProgramWriter::close() noexcept {
     if (segment_ == nullptr || !ring_) return;
     ProgramControl& control = segment_->header().program;
@@ -258,6 +265,21 @@ ProgramReport program_report(const Segment& segment) noexcept {
     return report;
 }
 
+std::shared_ptr<const RecordedSource> recorded_source(const Segment& segment) {
+    const ProgramControl& control = segment.header().program;
+    // Its numbers belong together only where both are of one program.
+    const auto progress = read_record(control.progress);
+    const auto source = read_record(control.source);
+    if (!progress || !source || source->program == 0 || source->program != progress->program) return nullptr;
+    if (source->profile_bytes > kSourceProfileBytes) return nullptr;  // no file could hold it
+    auto recorded = std::make_shared<RecordedSource>();
+    recorded->taken = progress->taken;
+    recorded->record_sum = progress->record_sum;
+    recorded->end = progress->end;
+    recorded->source = *source;
+    return recorded;
+}
+
 // --- core --------------------------------------------------------------------------------------------------
 
 bool ProgramFeed::is_left() const noexcept {
@@ -268,12 +290,14 @@ bool ProgramFeed::has_writer() const noexcept {
     return control_->claim.load() == grant_.claim && is_claimant_alive(*control_, grant_.claim);
 }
 
-void ProgramFeed::say(std::uint64_t taken, std::uint64_t line, ProgramEnd end) noexcept {
+void ProgramFeed::say(std::uint64_t taken, std::uint64_t line, ProgramEnd end,
+                      std::uint64_t record_sum) noexcept {
     write_record(control_->progress, ProgramProgress{.program = grant_.program,
                                                      .taken = taken,
                                                      .line = line,
                                                      .end = static_cast<std::uint32_t>(end),
-                                                     .reserved = 0});
+                                                     .reserved = 0,
+                                                     .record_sum = record_sum});
 }
 
 void ProgramFeed::say_refusal(std::uint64_t line, const Message& why) noexcept {
@@ -308,7 +332,7 @@ std::optional<ProgramFeed> ProgramDesk::open(std::uint64_t first) noexcept {
     control.closed.store(0);
     ProgramFeed feed{control, segment_->record_ring(), grant};
     write_record(control.refusal, ProgramRefusal{});
-    feed.say(0, 0, ProgramEnd::none);
+    feed.say(0, 0, ProgramEnd::none, 0);
     control.running.store(grant.program);
     write_record(control.grant, grant);
     event_signal(control.ends.was_taken);
@@ -333,6 +357,7 @@ void clear_program_of_dead_core(SegmentHeader& header) noexcept {
     write_record(control.progress, ProgramProgress{});
     write_record(control.refusal, ProgramRefusal{});
     write_record(control.modes, ProgramModes{});
+    write_record(control.source, ProgramSource{});
     const std::uint64_t claim = control.claim.load();
     if (claim != 0 && !is_claimant_alive(control, claim)) free_claim(control, claim);
     event_signal(control.ends.was_taken);

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -57,6 +58,8 @@ public:
 
     /// What holds where the machine is: for those who look on. Does nothing without a program.
     void tell(const ProgramModes& modes) noexcept;
+    /// What its records are made of, for a replay. Does nothing without a program.
+    void tell(const ProgramSource& source) noexcept;
     /// Nothing more comes: what is queued needs no writer from here on.
     void close() noexcept;
     void release() noexcept;
@@ -93,6 +96,8 @@ struct ProgramReport {
     std::uint32_t ring_records = 0;  ///< that it has room for
 };
 ProgramReport program_report(const Segment& segment) noexcept;
+/// Of the program that runs, or ran last, and what the core has taken of it. Null: its writer told nothing.
+std::shared_ptr<const RecordedSource> recorded_source(const Segment& segment);
 
 // --- core side
 // -------------------------------------------------------------------------------------------------
@@ -116,7 +121,8 @@ public:
     /// The process that asked for it lives and has not let go.
     bool has_writer() const noexcept;
 
-    void say(std::uint64_t taken, std::uint64_t line, ProgramEnd end) noexcept;
+    /// `record_sum`: with_record() over those taken.
+    void say(std::uint64_t taken, std::uint64_t line, ProgramEnd end, std::uint64_t record_sum) noexcept;
     void say_refusal(std::uint64_t line, const Message& why) noexcept;
 
 private:

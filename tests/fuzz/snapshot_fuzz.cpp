@@ -56,6 +56,11 @@ void parse_and_use(const Bytes& bytes) {
     require(again.has_value() && again->job_blob == snapshot->job_blob,
             "what parses can be saved and parsed");
     require(again->records.size() == snapshot->records.size(), "records are kept");
+    const bool has_source = snapshot->source != nullptr;
+    require(has_source == (again->source != nullptr), "a program's source is kept");
+    require(
+        !has_source || std::memcmp(snapshot->source.get(), again->source.get(), sizeof(RecordedSource)) == 0,
+        "a program's source is kept as it was");
     if (!snapshot->job_blob.empty()) use_job(snapshot->job_blob);
 }
 

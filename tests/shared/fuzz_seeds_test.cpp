@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "shared/file/atomic_file.hpp"
@@ -12,7 +15,7 @@
 #include "tests/shared/passes_fixture.hpp"
 
 // The inputs that the fuzzer of snapshots begins with lose their worth when the layout changes: then it sees
-// nothing but refusals by version. snapshot.psi and passes.psi are made anew by
+// nothing but refusals by version. snapshot.psi, program.psi and passes.psi are made anew by
 //   PSICARVE_WRITE_SEEDS=1 build/dev/tests/shared_file_test --gtest_filter='FuzzSeeds.*'
 namespace psicarve {
 namespace {
@@ -21,11 +24,20 @@ std::string seed(const std::string& name) {
     return in_source("tests/fuzz/corpus/snapshot/") + name;
 }
 
-/// The job of job.psi with a status and a few records.
-std::vector<std::byte> snapshot_of_today() {
+/// The job of job.psi with a status and a few records, and with what a program is made of.
+std::vector<std::byte> snapshot_of_today(bool has_source) {
     auto snapshot = load_snapshot(seed("job.psi"));
     EXPECT_TRUE(snapshot.has_value()) << snapshot.error().message;
     if (!snapshot) return {};
+    if (has_source) {
+        const std::string_view profile = "name = \"lathe\"";
+        auto source = std::make_shared<RecordedSource>();
+        source->taken = 12;
+        source->source.program = 7;
+        source->source.profile_bytes = static_cast<std::uint32_t>(profile.size());
+        profile.copy(source->source.profile, profile.size());
+        snapshot->source = std::move(source);
+    }
     snapshot->status.emplace();
     snapshot->status->tick = 4711;
     snapshot->status->state = MachineState::ready;
@@ -39,13 +51,15 @@ std::vector<std::byte> snapshot_of_today() {
 }
 
 TEST(FuzzSeeds, HoldASnapshotOfThisLayout) {
-    const auto wanted = snapshot_of_today();
-    if (std::getenv("PSICARVE_WRITE_SEEDS") != nullptr) {
-        ASSERT_TRUE(write_file_atomically(seed("snapshot.psi"), wanted).has_value());
+    for (const std::string name : {"snapshot.psi", "program.psi"}) {
+        const auto wanted = snapshot_of_today(name == "program.psi");
+        if (std::getenv("PSICARVE_WRITE_SEEDS") != nullptr) {
+            ASSERT_TRUE(write_file_atomically(seed(name), wanted).has_value());
+        }
+        const auto kept = read_whole_file(seed(name));
+        ASSERT_TRUE(kept.has_value()) << kept.error().message;
+        EXPECT_TRUE(*kept == wanted) << name << ": the layout has changed: make it anew, see above";
     }
-    const auto kept = read_whole_file(seed("snapshot.psi"));
-    ASSERT_TRUE(kept.has_value()) << kept.error().message;
-    EXPECT_TRUE(*kept == wanted) << "the layout has changed: make it anew, see above";
 }
 
 /// Three layers of two points, the first of them a roughing pass.

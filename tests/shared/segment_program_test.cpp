@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -210,6 +211,34 @@ TEST_F(SegmentProgram, AFullRingIsSaidAfterTheLimitAndAnEndedCoreAtOnce) {
     EXPECT_EQ(writer.sequence(), kDefaultRingRecords);
 }
 
+TEST_F(SegmentProgram, TheSourceOfAProgramIsThereWithWhatTheCoreTookOfIt) {
+    ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
+    EXPECT_EQ(recorded_source(*hmi_), nullptr);
+    std::optional<ProgramFeed> feed = open_for(writer);
+    EXPECT_EQ(recorded_source(*hmi_), nullptr) << "its writer has told nothing";
+    auto source = std::make_unique<ProgramSource>();
+    source->program = 1234;
+    source->text_bytes = 77;
+    writer.tell(*source);
+    feed->say(3, 11, ProgramEnd::none, 99);
+
+    const auto recorded = recorded_source(*hmi_);
+
+    ASSERT_NE(recorded, nullptr);
+    EXPECT_EQ(recorded->source.program, writer.program());
+    EXPECT_EQ(recorded->source.text_bytes, 77U);
+    EXPECT_EQ(recorded->taken, 3U);
+    EXPECT_EQ(recorded->record_sum, 99U);
+    source->profile_bytes = kSourceProfileBytes + 1;
+    writer.tell(*source);
+    EXPECT_EQ(recorded_source(*hmi_), nullptr) << "overwritten";
+    desk_->end();
+    writer.release();
+    ProgramWriter next = ProgramWriter::claim(*hmi_).value();
+    (void)open_for(next);
+    EXPECT_EQ(recorded_source(*hmi_), nullptr) << "that of another program";
+}
+
 TEST_F(SegmentProgram, AWriterThatWaitsHearsThatTheProgramIsOverAndWhy) {
     ProgramWriter writer = ProgramWriter::claim(*hmi_).value();
     std::optional<ProgramFeed> feed = open_for(writer);
@@ -217,7 +246,7 @@ TEST_F(SegmentProgram, AWriterThatWaitsHearsThatTheProgramIsOverAndWhy) {
         ASSERT_EQ(writer.try_put(numbered_record(1)), ProgramPut::done);
     std::thread core{[&] {
         feed->say_refusal(12, message_of(MessageId::program_number_not_finite, count_argument(12)));
-        feed->say(3, 11, ProgramEnd::refused);
+        feed->say(3, 11, ProgramEnd::refused, 0);
         desk_->end();
     }};
 

@@ -9,7 +9,9 @@
 
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/shared/segment_fixture.hpp"
@@ -78,6 +80,65 @@ TEST(SnapshotFile, GivesBackEverythingThatWasSaved) {
     EXPECT_EQ(loaded->job_blob, saved.job_blob);
     EXPECT_EQ(loaded->capacity_points, 3600U);
     EXPECT_EQ(loaded->generation, 8U);
+}
+
+Snapshot snapshot_with_source(const std::string& profile) {
+    Snapshot snapshot = full_snapshot();
+    auto source = std::make_shared<RecordedSource>();
+    source->taken = 17;
+    source->record_sum = 99;
+    source->source.program = 4;
+    source->source.kept[3] = 1.5;
+    source->source.profile_bytes = static_cast<std::uint32_t>(profile.size());
+    profile.copy(source->source.profile, profile.size());
+    snapshot.source = std::move(source);
+    return snapshot;
+}
+
+TEST(SnapshotFile, KeepsTheSourceOfAProgramAsFarAsItsProfileGoes) {
+    for (const std::string& profile :
+         {std::string{}, std::string{"name"}, std::string(kSourceProfileBytes, 'x')}) {
+        const Snapshot saved = snapshot_with_source(profile);
+        const Bytes bytes = snapshot_bytes(saved);
+        const auto parsed = parse_snapshot(bytes, "s.psi");
+        ASSERT_TRUE(parsed.has_value()) << parsed.error().message;
+        ASSERT_NE(parsed->source, nullptr);
+        EXPECT_EQ(std::memcmp(parsed->source.get(), saved.source.get(), sizeof(RecordedSource)), 0);
+        EXPECT_EQ(snapshot_bytes(*parsed), bytes);
+        EXPECT_EQ(parsed->job_blob, saved.job_blob);
+        EXPECT_LE(bytes.size(), snapshot_bytes(full_snapshot()).size() + 1400 + profile.size());
+    }
+    EXPECT_EQ(parse_snapshot(snapshot_bytes(full_snapshot()), "s.psi")->source, nullptr);
+}
+
+TEST(SnapshotFile, OnlyOneWithASourceIsOfANewerVersion) {
+    const auto version_of = [](const Snapshot& snapshot) {
+        std::uint32_t version = 0;
+        std::memcpy(&version, snapshot_bytes(snapshot).data() + offsetof(SnapshotHeader, version),
+                    sizeof(version));
+        return version;
+    };
+    EXPECT_EQ(version_of(full_snapshot()), 1U) << "an older psicarve reads it";
+    EXPECT_EQ(version_of(snapshot_with_source("name")), 2U);
+}
+
+TEST(SnapshotFile, ASourceOfAnotherSizeIsRefused) {
+    const Bytes bytes = snapshot_bytes(snapshot_with_source("name = \"lathe\""));
+    for (const std::uint64_t size : {0U, 16U, 1312U, 1320U, 1336U, 60'000U}) {
+        Bytes changed = bytes;
+        const std::size_t end_of_job = snapshot_bytes(full_snapshot()).size();
+        changed.resize(end_of_job + size);
+        put(changed, offsetof(SnapshotHeader, total_bytes), std::uint64_t{changed.size()});
+        EXPECT_THAT(refusal_of(changed), HasSubstr("damaged")) << size;
+    }
+    Bytes changed = bytes;
+    const std::size_t profile_bytes = snapshot_bytes(full_snapshot()).size() +
+                                      offsetof(RecordedSource, source) +
+                                      offsetof(ProgramSource, profile_bytes);
+    for (const std::uint32_t count : {0U, 100U, 48U * 1024U + 1U, 0xFFFF'FFFFU}) {
+        put(changed, profile_bytes, count);
+        EXPECT_THAT(refusal_of(changed), HasSubstr("the source of its program")) << count;
+    }
 }
 
 TEST(SnapshotFile, JobFileIsASnapshotWithoutStatus) {

@@ -154,6 +154,11 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         done({"reset-height"});
         done({"snapshot", "save", "after.snap"});
     };
+    const auto recorded_program = [&] {
+        homed();
+        done({"gcode", "run", "pocket.ngc"});
+        done({"snapshot", "save", "run.snap"});
+    };
     const auto short_job = [&] {
         done({"slice", "figurine.stl", "-o", "figurine.job", "--layers", "20", "--points", "60"});
     };
@@ -186,6 +191,7 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
         {.begins = "psicarve pins --watch", .goes_on = true},
         {.begins = "psicarve pins spindle", .goes_on = true},
         {.begins = "psicarve snapshot diff", .before = two_snapshots, .exit_code = 6},
+        {.begins = "psicarve replay run.snap", .before = recorded_program},
         {.begins = "psicarve replay", .before = short_job},
         {.begins = "psicarve gcode run", .before = homed},
         {.begins = "psicarve gcode offsets set", .exit_code = 3, .says = "nothing is kept"},

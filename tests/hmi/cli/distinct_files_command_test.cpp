@@ -61,6 +61,8 @@ TEST_F(DistinctFilesOfACommand, AreHeldToBySlice) {
 
 TEST_F(DistinctFilesOfACommand, AreHeldToByAllThatWriteOfAJob) {
     expect_refused({"replay", file("j.job"), "--trace", file("j.job")}, "--trace", "JOB|TRACE");
+    expect_refused({"replay", file("j.job"), "--program", file("m.stl"), "--trace", file("m.stl")}, "--trace",
+                   "--program");
     expect_refused({"carve", file("m.stl"), "--trace", file("m.stl")}, "--trace", "MODEL|JOB");
     expect_refused({"gcode", "run", file("m.stl"), "--trace", file("m.stl")}, "--trace", "FILE");
     std::filesystem::copy_file(file("m.stl"), file("m.offsets"));

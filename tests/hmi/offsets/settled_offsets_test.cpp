@@ -32,7 +32,7 @@ protected:
         status.is_done = is_done ? 1 : 0;
         write_record(core_->header().program.status, status);
         write_record(core_->header().program.progress,
-                     ProgramProgress{program, 3, 9, static_cast<std::uint32_t>(end), 0});
+                     ProgramProgress{program, 3, 9, static_cast<std::uint32_t>(end), 0, 0});
     }
     Result<Settled> settled() const { return settled_offsets(place(), {}, {hmi_->name(), {}}); }
     double x_mm_kept() const { return read_offsets(place(), {})->kept.systems[0].origin[0]; }

@@ -99,12 +99,16 @@ TEST_F(RecordIntakeTest, GivesEachRecordOnceInItsOrderAndThenItsEnd) {
         EXPECT_EQ(step_.target_pulses[0], 8'000 + static_cast<std::int64_t>(i));
         EXPECT_EQ(sut_.taken(), i);
     }
+    std::uint64_t sum = 0;
+    for (std::uint64_t i = 1; i <= 9; ++i) sum = with_record(sum, numbered_record(i).check);
+    EXPECT_EQ(progress().record_sum, sum);
     ASSERT_EQ(next(), Supply::step);
     EXPECT_EQ(step_.kind, MotionKind::end);
     EXPECT_EQ(next(), Supply::ended);
     EXPECT_EQ(next(), Supply::ended);
     EXPECT_FALSE(sut_.refusal().has_value());
     EXPECT_EQ(progress().taken, 10U);
+    EXPECT_NE(progress().record_sum, sum);
     EXPECT_EQ(progress().end, static_cast<std::uint32_t>(ProgramEnd::ended));
 }
 

@@ -37,7 +37,7 @@ TEST(ReplayScript, BeginsAtTheFirstHomedRest) {
         script_from_records({command(10, CommandKind::home), ready, command(1500, CommandKind::start)});
     ASSERT_TRUE(sut.has_value());
     EXPECT_EQ(sut->start_position_pulses[0], 24000);
-    EXPECT_EQ(sut->start_inputs, bit_of(Signal::psi_index));
+    EXPECT_EQ(sut->start_levels, bit_of(Signal::psi_index));
     ASSERT_EQ(sut->steps.size(), 1U);
     EXPECT_EQ(sut->steps[0].request, cycle::RequestKind::start);
     EXPECT_EQ(sut->steps[0].tick, 500U);
@@ -230,6 +230,79 @@ TEST(ReplayScript, BeginsWithTheOverrideThatHeldThen) {
     EXPECT_EQ(script->steps[0].tick, 0U);
     EXPECT_EQ(script->steps[0].request, cycle::RequestKind::override);
     EXPECT_EQ(script->steps[0].value, 30U);
+}
+
+FlightRecord program_command(std::uint64_t tick, std::int64_t number) {
+    FlightRecord record = command(tick, CommandKind::program);
+    record.axis = kNoAxis;
+    record.value = number;
+    return record;
+}
+
+FlightRecord begun(std::uint64_t tick, std::int64_t number, bool is_single) {
+    FlightRecord record{};
+    record.tick = tick;
+    record.kind = RecordKind::program;
+    record.code =
+        static_cast<std::uint16_t>(static_cast<unsigned>(ProgramEvent::begun) | (is_single ? 1U : 0U) << 8U);
+    record.value = number;
+    return record;
+}
+
+TEST(ReplayScriptOfAProgram, BeginsAtTheRestBeforeTheLastOne) {
+    FlightRecord ready = state_change(300, MachineState::ready);
+    ready.position_pulses[2] = 77;
+    const auto script = script_of_program(
+        {state_change(10, MachineState::ready), begun(20, 8, false), program_command(20, 8), job(200), ready,
+         begun(310, 9, true), program_command(310, 9), command(400, CommandKind::hold)},
+        9);
+    ASSERT_TRUE(script.has_value());
+    EXPECT_EQ(script->start_position_pulses[2], 77);
+    EXPECT_EQ(script->first_tick, 300U);
+    EXPECT_EQ(script->end_tick, 100U);
+    EXPECT_FALSE(script->is_cut);
+    ASSERT_EQ(script->steps.size(), 2U);
+    EXPECT_EQ(script->steps[0].request, cycle::RequestKind::run_program);
+    EXPECT_EQ(script->steps[0].value, 9U);
+    EXPECT_EQ(script->steps[0].axis, 1U) << "one block at a time";
+    EXPECT_EQ(script->steps[0].tick, 10U);
+    EXPECT_EQ(script->steps[1].request, cycle::RequestKind::hold);
+}
+
+TEST(ReplayScriptOfAProgram, HasTheSpindleOnThatWasOnAndNoRecordingOfPins) {
+    FlightRecord ready = state_change(300, MachineState::ready);
+    ready.signals = bit_of(Signal::spindle) | bit_of(Signal::y_dir);
+    const auto script = script_of_program(
+        {ready, command(305, CommandKind::record), begun(310, 9, false), program_command(310, 9)}, 9);
+    ASSERT_TRUE(script.has_value());
+    EXPECT_EQ(script->start_levels, ready.signals);
+    ASSERT_EQ(script->steps.size(), 2U);
+    EXPECT_EQ(script->steps[0].request, cycle::RequestKind::spindle);
+    EXPECT_EQ(script->steps[0].value, 1U);
+    EXPECT_EQ(script->steps[1].request, cycle::RequestKind::run_program);
+    EXPECT_EQ(script->steps[1].axis, 0U);
+}
+
+TEST(ReplayScriptOfAProgram, EndsAtTheNextJob) {
+    for (const FlightRecord& next : {job(500), command(500, CommandKind::start)}) {
+        const auto script = script_of_program(
+            {state_change(300, MachineState::ready), begun(310, 9, false), program_command(310, 9),
+             command(400, CommandKind::hold), next, command(600, CommandKind::start_interpolation)},
+            9);
+        ASSERT_TRUE(script.has_value());
+        EXPECT_TRUE(script->is_cut);
+        EXPECT_EQ(script->end_tick, 100U);
+        EXPECT_EQ(script->steps.size(), 2U);
+    }
+}
+
+TEST(ReplayScriptOfAProgram, IsNothingOfAnotherOneOrWithoutTheRestBeforeIt) {
+    EXPECT_FALSE(script_of_program({}, 9).has_value());
+    EXPECT_FALSE(script_of_program({begun(310, 9, false), program_command(310, 9)}, 9).has_value());
+    EXPECT_FALSE(
+        script_of_program(
+            {state_change(300, MachineState::ready), begun(310, 9, false), program_command(310, 9)}, 8)
+            .has_value());
 }
 
 TEST(ReplayScript, IsNothingWithoutARunFromRest) {

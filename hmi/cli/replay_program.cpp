@@ -123,15 +123,18 @@ struct ReplayedProgram {
     ProgramStatus status{};
     double seconds = 0.0;
     EntryComparison entries;
+    bool is_of_virtual_clock = false;  ///< the recording
     std::optional<verify::ProgramVerifyReport> verification;
     std::string unverified_reason;
     std::optional<Error> failure;  ///< the alarm in which the recording ends, too
     std::string trace;
 };
 
-/// On a real clock ticks are missed, and whoever comes some ticks later is elsewhere on the path.
+/// On a real clock ticks are missed, and whoever comes some ticks later is elsewhere on the path; on the
+/// virtual clock nothing is.
 bool is_as_recorded(const ReplayedProgram& run) {
     if (run.entries.first_other) return false;
+    if (run.is_of_virtual_clock) return run.entries.most_ticks == 0 && run.entries.most_pulses == 0;
     return run.entries.most_ticks != 0 || run.entries.most_pulses == 0;
 }
 
@@ -156,22 +159,23 @@ nlohmann::ordered_json replay_json(const std::string& name, const ReplayedProgra
     return json;
 }
 
-std::string comparison_text(const EntryComparison& entries) {
+std::string comparison_text(const ReplayedProgram& run) {
+    const EntryComparison& entries = run.entries;
     const std::string count = count_text(entries.same_count, "event");
     if (entries.first_other)
         return "NO: after " + count + " the recording goes on with " +
                report::record_text(*entries.first_other);
     const std::string apart =
         std::to_string(entries.most_ticks) + " ticks and " + std::to_string(entries.most_pulses) + " pulses";
+    if (!is_as_recorded(run)) return "NO: " + count + ", but up to " + apart + " apart";
     if (entries.most_ticks != 0) return "yes: " + count + ", up to " + apart + " apart";
-    if (entries.most_pulses != 0) return "NO: " + count + ", but up to " + apart + " apart";
     return "yes: " + count + ", to the tick";
 }
 
 void print_replay(const std::string& name, const ReplayedProgram& run) {
     std::printf("%s: replayed up to line %llu, %s of machine time\n", name.c_str(),
                 static_cast<unsigned long long>(run.status.line), clock_text(run.seconds).c_str());
-    std::printf("recorded   %s\n", comparison_text(run.entries).c_str());
+    std::printf("recorded   %s\n", comparison_text(run).c_str());
     if (run.verification) {
         const verify::Offence* const first = verify::first_offence_of(run.verification->rules);
         std::printf("verified   %s\n", first == nullptr ? "yes" : ("NO: " + first->sentence).c_str());
@@ -261,6 +265,7 @@ Result<int> replay_program(const CommonOptions& common, const ReplayProgramOptio
     const Records repeated = entries_of_program(records_of(segment), recorded.source.program);
     replayed.seconds = span_seconds(repeated, run->after.period_ns);
     replayed.entries = compared(*entries, repeated);
+    replayed.is_of_virtual_clock = snapshot.status && snapshot.status->is_virtual_clock != 0;
     auto verification = (*core)->finish();
     if (!verification) return verification.error();
     replayed.verification = std::move(*verification);

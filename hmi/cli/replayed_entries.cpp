@@ -34,8 +34,12 @@ std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
 
 void note_apart(EntryComparison& found, const FlightRecord& recorded, const FlightRecord& replayed) {
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const std::int64_t pulses = recorded.position_pulses[k] - replayed.position_pulses[k];
-        found.most_pulses = std::max(found.most_pulses, pulses < 0 ? -pulses : pulses);
+        // Numbers of a file may be anything.
+        const std::int64_t a = recorded.position_pulses[k];
+        const std::int64_t b = replayed.position_pulses[k];
+        const std::uint64_t pulses =
+            static_cast<std::uint64_t>(std::max(a, b)) - static_cast<std::uint64_t>(std::min(a, b));
+        found.most_pulses = std::max(found.most_pulses, pulses);
     }
 }
 

@@ -20,7 +20,7 @@ struct EntryComparison {
     std::size_t same_count = 0;                 ///< of the recorded entries, from the first on
     std::optional<FlightRecord> first_other{};  ///< the recorded one that was not repeated
     std::uint64_t most_ticks = 0;               ///< by which one of the same came earlier or later
-    std::int64_t most_pulses = 0;               ///< by which an axis stood elsewhere at one of the same
+    std::uint64_t most_pulses = 0;              ///< by which an axis stood elsewhere at one of the same
 };
 /// Ticks and lines are counted from the begin of each. A recording may end before its replay does.
 EntryComparison compare_entries(std::span<const FlightRecord> recorded,

@@ -65,12 +65,7 @@ void CarvingWatch::refresh() {
     if (status->job_start_tick != job_start_tick_) {
         if (job_start_tick_ != 0) make_blank();
         job_start_tick_ = status->job_start_tick;
-        // A core that has just begun has not started it.
-        if (job_start_tick_ != 0) {
-            const auto layer = static_cast<std::uint32_t>(status->points_done / job_->view.point_count());
-            doubt_.begin_at(std::min(layer, job_->view.layer_count()));
-            is_doubt_told_ = false;
-        }
+        layers_carved_ = layers_carved(*status);
     }
     if (!record_) return;
     take_doubt(*status);
@@ -80,8 +75,16 @@ void CarvingWatch::refresh() {
         record_->take_as_planned(is_complete ? status->layer + 1 : status->layer, kCellsPerLook);
 }
 
+std::uint32_t CarvingWatch::layers_carved(const CoreStatus& status) const noexcept {
+    const std::uint64_t layers = status.points_done / job_->view.point_count();
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(layers, job_->view.layer_count()));
+}
+
+/// What was carved since the last look, before the alarms: theirs were carved before them.
 void CarvingWatch::take_doubt(const CoreStatus& status) {
-    if (doubt_.take(status)) is_doubt_told_ = false;
+    const std::uint32_t before = std::exchange(layers_carved_, layers_carved(status));
+    const bool are_fewer = doubt_.carved_again(before, layers_carved_);
+    if (doubt_.take(status) || are_fewer) is_doubt_told_ = false;
     if (!std::exchange(is_doubt_told_, true)) record_->set_doubt(doubt_.layers());
 }
 

@@ -36,6 +36,8 @@ private:
     void make_blank();
     void take_increments(const CoreStatus& status);
     void take_doubt(const CoreStatus& status);
+    /// Of the job, from its first on.
+    std::uint32_t layers_carved(const CoreStatus& status) const noexcept;
 
     MachineSession& machine_;
     OpenJob& desk_;
@@ -43,8 +45,9 @@ private:
     std::unique_ptr<CarvingRecord> record_;
     std::unique_ptr<LivePiece> piece_;
     LayersInDoubt doubt_;
-    bool is_doubt_told_ = false;      ///< the record has it
-    std::uint64_t blank_number_ = 0;  ///< of the blank that is being made
+    bool is_doubt_told_ = false;       ///< the record has it
+    std::uint32_t layers_carved_ = 0;  ///< at the last look
+    std::uint64_t blank_number_ = 0;   ///< of the blank that is being made
     std::uint64_t edition_ = 0;
     std::uint64_t job_start_tick_ = 0;
     std::uint64_t lost_ = 0;  ///< increments, at the last read

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "hmi/report/status_json.hpp"
 #include "hmi/session/display_text.hpp"
@@ -28,10 +29,22 @@ void LayersInDoubt::forget() {
     most_off_pulses_ = 0;
 }
 
-void LayersInDoubt::begin_at(std::uint32_t layer) {
-    std::erase_if(layers_, [layer](const verify::LayerRange& range) { return range.first >= layer; });
-    for (verify::LayerRange& range : layers_) range.count = std::min(range.count, layer - range.first);
+bool LayersInDoubt::carved_again(std::uint32_t first, std::uint32_t end) {
+    std::vector<verify::LayerRange> left;
+    bool has_met = false;
+    for (const verify::LayerRange& range : layers_) {
+        const bool is_apart = end <= first || end <= range.first || end_of(range) <= first;
+        if (is_apart) {
+            left.push_back(range);
+            continue;
+        }
+        has_met = true;
+        if (range.first < first) left.push_back({range.first, first - range.first});
+        if (end < end_of(range)) left.push_back({end, end_of(range) - end});
+    }
+    layers_ = std::move(left);
     if (layers_.empty()) most_off_pulses_ = 0;
+    return has_met;
 }
 
 bool LayersInDoubt::take(const CoreStatus& status) {

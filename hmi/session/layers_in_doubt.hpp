@@ -13,13 +13,14 @@
 namespace psicarve::session {
 
 /// The layers of the piece on the table that can be wrong: those in which the table had lost steps, as the
-/// alarms of its job say. They stay in doubt until they are carved again.
+/// alarms of its job say. They stay in doubt until each is carved again.
 class LayersInDoubt {
 public:
     /// Another piece.
     void forget();
-    /// The job is started, or gone on with, at this layer: it and those after it are carved again.
-    void begin_at(std::uint32_t layer);
+    /// These layers, from first to before end, were carved once more since. Returns whether one of them was
+    /// in doubt.
+    bool carved_again(std::uint32_t first, std::uint32_t end);
     /// The alarms of the job since its start. Returns whether there are new ones among them.
     bool take(const CoreStatus& status);
 

@@ -146,6 +146,11 @@ std::optional<ReplayStep> override_before(const Records& records, Records::const
     return step;
 }
 
+bool is_override_step(const ReplayStep& step) {
+    return step.kind == ReplayStep::Kind::request && (step.request == cycle::RequestKind::override ||
+                                                      step.request == cycle::RequestKind::rapid_override);
+}
+
 ReplayScript script_of(const Records& records, Records::const_iterator first, Records::const_iterator last) {
     ReplayScript script;
     script.is_cut = last != records.end();
@@ -163,6 +168,8 @@ ReplayScript script_of(const Records& records, Records::const_iterator first, Re
     for (auto record = std::next(first); record != last; ++record) {
         if (record->tick < first->tick) continue;
         script.end_tick = std::max(script.end_tick, record->tick - first->tick);
+        // A job that is loaded carves as planned, and is no step: it is not in the script's hands.
+        if (is_done(*record, RecordKind::job)) std::erase_if(script.steps, is_override_step);
         if (is_of_program(*record, ProgramEvent::begun)) begun_single = program_detail_of(*record) != 0;
         if (record->kind == RecordKind::order) {
             add_part(order, *record);

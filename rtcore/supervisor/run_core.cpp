@@ -87,6 +87,8 @@ void set_end(Replay& replay) {
         replay.end_tick = std::max(replay.end_tick, status->tick - replay.script->first_tick);
 }
 
+constexpr std::int64_t kMostStartPulses = std::int64_t{1} << 52;
+
 Result<std::optional<Replay>> load_replay_of_program(const std::string& path) {
     auto snapshot = load_snapshot(path);
     if (!snapshot) return snapshot.error();
@@ -95,6 +97,10 @@ Result<std::optional<Replay>> load_replay_of_program(const std::string& path) {
     replay.program = snapshot->source->source.program;
     replay.script = script_of_program(snapshot->records, replay.program);
     if (!replay.script) return holds_no_program(path);
+    // Numbers of a file may be anything; what a machine counts is far from where sums overflow.
+    for (const std::int64_t pulses : replay.script->start_position_pulses) {
+        if (pulses < -kMostStartPulses || pulses > kMostStartPulses) return holds_no_program(path);
+    }
     replay.snapshot = std::move(*snapshot);
     set_end(replay);
     return std::optional<Replay>{std::move(replay)};

@@ -56,7 +56,6 @@ constexpr std::uint64_t status_hash(std::uint64_t hash) noexcept {
                                offsetof(CoreStatus, alarms),
                                offsetof(CoreStatus, waited_ticks),
                                offsetof(CoreStatus, override_percent),
-                               offsetof(CoreStatus, rapid_override_percent),
                                offsetof(CoreStatus, trace_lost),
                                offsetof(CoreStatus, realtime_asked),
                                offsetof(CoreStatus, tick_minor_faults),
@@ -101,6 +100,7 @@ constexpr std::uint64_t program_hash(std::uint64_t hash) noexcept {
                                offsetof(ProgramControl, refusal),
                                offsetof(ProgramControl, status),
                                offsetof(ProgramControl, modes),
+                               offsetof(CoreStatus, rapid_override_percent),  // not of the snapshots' hash
                                offsetof(ProgramControl, source),
                                sizeof(ProgramStatus),
                                offsetof(ProgramStatus, sequence),

@@ -8,12 +8,13 @@
 
 namespace psicarve::motion {
 
-/// Holds, resumes and overrides, of feed and rapids, at random ticks, half of `longest_span` apart in the
-/// mean.
+/// Holds, resumes and overrides, of programs that of rapids too, at random ticks, half of `longest_span`
+/// apart in the mean.
 class Operator {
 public:
-    explicit Operator(std::uint64_t seed, std::uint64_t longest_span = 4000)
-        : random_(seed), longest_span_(longest_span) {}
+    enum class Of { jobs, programs };
+    explicit Operator(std::uint64_t seed, std::uint64_t longest_span = 4000, Of of = Of::jobs)
+        : random_(seed), longest_span_(longest_span), of_(of) {}
     void operator()(cycle::MachineRig& rig) {
         const std::uint64_t now = rig.cycle->next_tick();
         if (now < next_tick_) return;
@@ -23,7 +24,7 @@ public:
             rig.ask(cycle::RequestKind::resume);
         } else if (random_() % 3 == 0) {
             rig.ask(cycle::RequestKind::hold);
-        } else if (random_() % 3 == 0) {
+        } else if (of_ == Of::programs && random_() % 3 == 0) {
             rig.ask(cycle::RequestKind::rapid_override, 0, 10 + random_() % 91);
         } else {
             rig.ask(cycle::RequestKind::override, 0, 10 + random_() % 191);
@@ -33,6 +34,7 @@ public:
 private:
     std::mt19937_64 random_;
     std::uint64_t longest_span_;
+    Of of_;
     std::uint64_t next_tick_ = 0;
 };
 

@@ -86,20 +86,26 @@ TEST(LayersInDoubt, ThatMeetBecomeOne) {
     EXPECT_EQ(sut.layers()[0].count, 13U) << "it was among them";
 }
 
-TEST(LayersInDoubt, AreCarvedAgainFromWhereTheJobGoesOn) {
+TEST(LayersInDoubt, AreFreedOfItLayerByLayerAsTheyAreCarvedAgain) {
     LayersInDoubt sut;
     CoreStatus status = started();
     add_alarm(status, 3, 4);
     add_alarm(status, 20, 2, 80);
     EXPECT_TRUE(sut.take(status));
-    sut.begin_at(21);
-    ASSERT_EQ(sut.layers().size(), 2U);
-    EXPECT_EQ(sut.layers()[1].count, 1U);
-    sut.begin_at(5);
-    EXPECT_EQ(told(sut, {}), "Layers 4 to 5 can be wrong");
-    sut.begin_at(4);
-    EXPECT_EQ(told(sut, {}), "Layer 4 can be wrong");
-    sut.begin_at(3);
+    EXPECT_FALSE(sut.carved_again(0, 3)) << "up to the first of them";
+    EXPECT_FALSE(sut.carved_again(7, 20)) << "between them";
+    EXPECT_FALSE(sut.carved_again(5, 5));
+    EXPECT_FALSE(sut.carved_again(22, 4)) << "the job was started anew";
+    EXPECT_EQ(told(sut, {}), "6 layers can be wrong, from layer 4 on");
+    EXPECT_TRUE(sut.carved_again(4, 5));
+    ASSERT_EQ(sut.layers().size(), 3U);
+    EXPECT_EQ(told(sut, {}), "5 layers can be wrong, from layer 4 on");
+    EXPECT_TRUE(sut.carved_again(5, 21));
+    EXPECT_EQ(told(sut, {}), "2 layers can be wrong, from layer 4 on");
+    EXPECT_EQ(sut.layers()[1].first, 21U);
+    EXPECT_TRUE(sut.carved_again(21, 30));
+    EXPECT_EQ(told(sut), "Layer 4 can be wrong (≤ 2.356 mm)");
+    EXPECT_TRUE(sut.carved_again(0, 30));
     EXPECT_EQ(told(sut), "");
     status.job_start_tick = 5000;
     add_alarm(status, 3, 1, 40, 5001);
@@ -116,7 +122,8 @@ TEST(LayersInDoubt, TakeWhateverStandsInTheSegment) {
     status.alarms[0].seen = std::numeric_limits<std::int64_t>::max();
     EXPECT_TRUE(sut.take(status));
     EXPECT_FALSE(told(sut).empty());
-    sut.begin_at(0);
+    sut.carved_again(0, 100);
+    sut.forget();
     EXPECT_EQ(told(sut), "");
 }
 

@@ -61,8 +61,10 @@ TEST_F(CarvingInDoubt, LayersOfLostStepsArePaintedUntilTheyAreCarvedAgain) {
     ASSERT_TRUE(comes_true([&] {
         return machine_view().state() == MachineState::ready && machine_view().resumable_layer == 1U;
     })) << all_messages().toStdString();
-    ASSERT_TRUE(comes_true([&] { return vertices_in_doubt() == 0 && told().isEmpty(); }))
-        << told().toStdString();
+    const QString left = QStringLiteral("Layers 2 to %1 can be wrong").arg(alarm.layer_count);
+    EXPECT_TRUE(comes_true([&] { return told().contains(left); })) << told().toStdString();
+    EXPECT_TRUE(comes_true([&] { return vertices_in_doubt() == 0; }))
+        << "the others are shown as the blank: it was begun anew";
 }
 
 }  // namespace

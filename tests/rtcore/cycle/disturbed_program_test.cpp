@@ -63,7 +63,7 @@ TEST(DisturbedProgram, EndsWhereItSaysOnOtherMachines) {
             const Script script = random_program(seed, sut.positions(), 30);
             sut.give(script.steps);
             ASSERT_EQ(sut.start(), Refusal::none);
-            motion::Operator hand{seed, 20'000};
+            motion::Operator hand{seed, 20'000, motion::Operator::Of::programs};
             ASSERT_TRUE(sut.run_while([&] {
                 hand(sut);
                 return sut.cycle->state() != MachineState::ready && sut.cycle->state() != MachineState::alarm;
@@ -112,7 +112,7 @@ void expect_order_kept(std::uint64_t seed, bool is_single) {
     const auto plain = order_with(seed, is_single,
                                   [](ProgramRig& rig, ScriptedSource&, std::size_t) { resume_halted(rig); });
     ASSERT_GT(plain.size(), 100U);
-    motion::Operator hand{seed, 6000};
+    motion::Operator hand{seed, 6000, motion::Operator::Of::programs};
     std::mt19937_64 random{seed};
     std::uint64_t next_tick = 0;
     bool has_begun = false;
@@ -149,7 +149,7 @@ TEST(DisturbedProgram, KeepsTheOrderOfItsPulsesWhenSingleBlockIsSwitched) {
         const auto plain = order_with(
             seed, begins_single, [](ProgramRig& rig, ScriptedSource&, std::size_t) { resume_halted(rig); });
         ASSERT_GT(plain.size(), 100U);
-        motion::Operator hand{seed, 6000};
+        motion::Operator hand{seed, 6000, motion::Operator::Of::programs};
         std::mt19937_64 random{seed};
         std::uint64_t next_tick = 0;
         std::uint64_t halts = 0;

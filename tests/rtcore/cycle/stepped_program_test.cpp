@@ -57,7 +57,7 @@ TEST(SteppedProgram, KeepsTheOrderOfItsPulsesHoweverItIsHeldAndOverridden) {
                            stepped_order(program_profile(), true, resume)};
     ASSERT_GT(plain[0].size(), 1'500U);
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        motion::Operator hand{seed, 3'000};
+        motion::Operator hand{seed, 3'000, motion::Operator::Of::programs};
         int holds = 0;
         const auto disturbed = stepped_order(program_profile(), seed % 2 == 0, [&](ProgramRig& rig) {
             if (rig.cycle->state() == MachineState::held) ++holds;
@@ -75,7 +75,7 @@ TEST(SteppedProgram, EndsWhereItSaysOnOtherMachines) {
     Profile lifting = program_profile();
     lifting.job.lifts_on_hold = true;
     for (const Profile& profile : {worn, lifting}) {
-        motion::Operator hand{5, 10'000};
+        motion::Operator hand{5, 10'000, motion::Operator::Of::programs};
         stepped_order(profile, false, [](ProgramRig&) {});
         stepped_order(profile, false, hand);
     }
@@ -109,7 +109,7 @@ TEST(SteppedProgram, RunsOnTwoTimersWithTheSamePulses) {
     const auto plain = stepped_order(two_timer_profile(), false, [](ProgramRig&) {});
     ASSERT_GT(plain.size(), 1'500U);
     for (const std::uint64_t seed : {3U, 4U}) {
-        motion::Operator hand{seed, 3'000};
+        motion::Operator hand{seed, 3'000, motion::Operator::Of::programs};
         EXPECT_EQ(stepped_order(two_timer_profile(), false, hand), plain) << seed;
     }
 }

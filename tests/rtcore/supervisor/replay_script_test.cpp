@@ -283,6 +283,24 @@ TEST(ReplayScriptOfAProgram, HasTheSpindleOnThatWasOnAndNoRecordingOfPins) {
     EXPECT_EQ(script->steps[1].axis, 0U);
 }
 
+// A job that is loaded carves as planned.
+TEST(ReplayScriptOfAProgram, HasNoOverrideOfBeforeAJobThatWasLoadedSince) {
+    FlightRecord feed = command(301, CommandKind::override);
+    feed.value = 50;
+    FlightRecord rapids = command(302, CommandKind::rapid_override);
+    rapids.value = 30;
+    FlightRecord later = command(304, CommandKind::rapid_override);
+    later.value = 40;
+    const auto script = script_of_program({state_change(300, MachineState::ready), feed, rapids, job(303),
+                                           later, begun(310, 9, false), program_command(310, 9)},
+                                          9);
+    ASSERT_TRUE(script.has_value());
+    ASSERT_EQ(script->steps.size(), 2U);
+    EXPECT_EQ(script->steps[0].request, cycle::RequestKind::rapid_override);
+    EXPECT_EQ(script->steps[0].value, 40U);
+    EXPECT_EQ(script->steps[1].request, cycle::RequestKind::run_program);
+}
+
 TEST(ReplayScriptOfAProgram, EndsAtTheNextJob) {
     for (const FlightRecord& next : {job(500), command(500, CommandKind::start)}) {
         const auto script = script_of_program(

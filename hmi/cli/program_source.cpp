@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <utility>
 
 #include "hmi/cli/gcode_problems.hpp"
+#include "hmi/cli/source_text.hpp"
 #include "hmi/gcode/judged_motion.hpp"
 #include "hmi/offsets/source_numbers.hpp"
 #include "shared/base/shared_text.hpp"
@@ -48,12 +48,6 @@ gcode::RunOptions steps_of_source(const ProgramSource& source) {
     steps.stops_at_optional = (source.flags & kSourceStopsAtOptional) != 0;
     steps.is_dry = (source.flags & kSourceIsDry) != 0;
     return steps;
-}
-
-std::string text_words(std::uint64_t bytes, std::uint64_t sum) {
-    std::array<char, 24> hexadecimal{};
-    std::snprintf(hexadecimal.data(), hexadecimal.size(), "%016llx", static_cast<unsigned long long>(sum));
-    return std::to_string(bytes) + " bytes, XXH3 " + hexadecimal.data();
 }
 
 /// Sums records up, until there are as many as are wanted.

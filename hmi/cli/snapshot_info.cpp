@@ -14,6 +14,7 @@
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/model_report.hpp"
 #include "hmi/cli/program_text.hpp"
+#include "hmi/cli/source_text.hpp"
 #include "hmi/cli/status_text.hpp"
 #include "hmi/report/job_passes.hpp"
 #include "hmi/report/record_text.hpp"
@@ -64,12 +65,6 @@ Extent radius_extent(const JobView& job) {
     return extent;
 }
 
-std::string hash_text(std::uint64_t hash) {
-    char text[24];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return text;
-}
-
 Json job_json(const InfoJob& shown) {
     const JobView& job = shown.view;
     const Extent extent = radius_extent(job);
@@ -111,6 +106,7 @@ Json info_json(const Snapshot& snapshot, const std::optional<InfoJob>& job, std:
             {"status", snapshot.status ? report::status_json(*snapshot.status) : Json(nullptr)},
             {"checkpoint", checkpoint_json(snapshot.checkpoint, is_of_job(snapshot))},
             {"program", recorded_program_json(recorded_program(snapshot.records))},
+            {"program_source", source_json(snapshot.source.get())},
             {"record_count", snapshot.records.size()},
             {"records", records}};
 }
@@ -154,6 +150,7 @@ void print_info(const Snapshot& snapshot, const std::optional<InfoJob>& job, std
     std::printf("%s", checkpoint_text(snapshot.checkpoint, is_of_job(snapshot)).c_str());
     const bool may_run = !snapshot.status || runs_job(snapshot.status->state);
     std::printf("%s", recorded_program_text(recorded_program(snapshot.records), may_run).c_str());
+    std::printf("%s", source_text(snapshot.source.get()).c_str());
     if (snapshot.records.empty() || first_record == snapshot.records.size()) return;
     std::printf("\nflight recorder, the last %zu of %zu entries\n", snapshot.records.size() - first_record,
                 snapshot.records.size());

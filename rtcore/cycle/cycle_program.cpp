@@ -24,13 +24,12 @@ Refusal Cycle::switch_single(bool is_on) noexcept {
     return Refusal::none;
 }
 
-// A hold, a stop or an alarm that was asked for meanwhile goes on from this rest.
+// A hold, a stop or an alarm that was asked for meanwhile goes on from this rest; so does a program that is
+// no longer run line by line.
 void Cycle::line_done() noexcept {
-    if (carves_program() && alarm_.awaited() == AlarmCause::none) {
-        halt_program(ProgramHold::single);
-    } else {
-        came_to_rest();
-    }
+    if (!carves_program() || alarm_.awaited() != AlarmCause::none) return came_to_rest();
+    if (program_.status().is_single == 0) return motion_.resume();
+    halt_program(ProgramHold::single);
 }
 
 // Once there is nothing to do: it has come to rest by itself, on a point of the program.

@@ -19,8 +19,10 @@ void Cycle::enter(MachineState state) noexcept {
     publisher_.ask(clock_.tick());
     if (starves_into(state)) return;
     if (program_.is_on()) tell_program_of(left, state);
-    if (state == MachineState::ready || state == MachineState::off || state == MachineState::alarm)
+    if (state == MachineState::ready || state == MachineState::off || state == MachineState::alarm) {
         program_.end();
+        motion_.set_line_by_line(false);
+    }
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     // An axis that was homed alone holds its position while the others are homed.
     const std::uint32_t held_axes = std::uint32_t{homed_.mask()} & config_.switched_axes;

@@ -15,9 +15,15 @@ void LineStop::seek(const BlockFeed& feed) noexcept {
     state_ = State::seeking;
     cursor_ = feed.number();
     left_ = feed.blocks_left();
+    nearest_ = 0;
 }
 
 void LineStop::seek_next(const BlockFeed& feed) noexcept {
+    if (end_ > feed.number()) nearest_ = end_ + (end_ - feed.number()) / 2;
+    seek_behind(feed);
+}
+
+void LineStop::seek_behind(const BlockFeed& feed) noexcept {
     state_ = State::seeking;
     cursor_ = end_;
     if (!step_forward(feed)) state_ = State::idle;
@@ -46,7 +52,7 @@ bool LineStop::seek_one(const BlockFeed& feed) noexcept {
         state_ = State::none;
         return true;
     }
-    if (block->ends_line == 0) return step_forward(feed);
+    if (block->ends_line == 0 || cursor_ < nearest_) return step_forward(feed);
     state_ = State::braking;
     end_ = cursor_;
     const double jump = double{block->path.start_stop_speed};
@@ -73,7 +79,7 @@ bool LineStop::brake_one(const BlockFeed& feed) noexcept {
     }
     const MotionBlock* const block = feed.numbered(cursor_);
     if (block == nullptr || end_ - cursor_ >= kMostBlocks - 1) {
-        seek_next(feed);
+        seek_behind(feed);
         return false;
     }
     braked2_ = braked_speed2(block->path, braked2_);

@@ -34,7 +34,8 @@ public:
     void forget() noexcept { state_ = State::idle; }
     /// From the block at hand on.
     void seek(const BlockFeed& feed) noexcept;
-    /// Not there: it is too fast by now. The next one is sought.
+    /// Not there: it is too fast by now. One is sought that is half as far again: a look goes over all blocks
+    /// up to it, and lines of a few blocks would be passed as fast as they are looked at.
     void seek_next(const BlockFeed& feed) noexcept;
     /// Looks at so many blocks; true once, when an end is found. The block at hand may have bounds already.
     bool look(const BlockFeed& feed, int blocks) noexcept;
@@ -67,15 +68,17 @@ private:
         if (state_ == State::idle) return true;
         return state_ == State::seeking ? cursor_ < number : state_ != State::none && end_ < number;
     }
+    void seek_behind(const BlockFeed& feed) noexcept;
     bool seek_one(const BlockFeed& feed) noexcept;
     bool brake_one(const BlockFeed& feed) noexcept;
     bool step_forward(const BlockFeed& feed) noexcept;
 
     State state_ = State::idle;
-    std::uint64_t cursor_ = 0;  ///< the block to be looked at next
-    std::uint64_t end_ = 0;     ///< with which the line ends
-    std::uint64_t first_ = 0;   ///< of those with bounds
-    std::uint32_t left_ = 0;    ///< blocks of its group behind the one that is sought at, or behind end_
+    std::uint64_t cursor_ = 0;   ///< the block to be looked at next
+    std::uint64_t end_ = 0;      ///< with which the line ends
+    std::uint64_t nearest_ = 0;  ///< ends before it are not looked at
+    std::uint64_t first_ = 0;    ///< of those with bounds
+    std::uint32_t left_ = 0;     ///< blocks of its group behind the one that is sought at, or behind end_
     double end2_ = 0.0;
     double braked2_ = 0.0;
     std::array<double, kMostBlocks> begins2_{};

@@ -181,6 +181,18 @@ TEST_F(ReplayedProgram, HasTheSwitchesAndWorkOffsetsOfItsRun) {
     }
     ASSERT_EQ(running->wait(), 0) << running->error();
     (void)snapshot();
+    const auto source = psicarve({"snapshot", "info", file("run.snap"), "--json"}).json()["program_source"];
+    EXPECT_EQ(source["name"], file("run.ngc"));
+    EXPECT_EQ(source["bytes"], text_of(file("run.ngc")).size());
+    EXPECT_EQ(source["options"].dump(), R"(["--single","--optional-stop","--block-delete","--from-line 6"])");
+    EXPECT_GT(source["records_taken"], 6);
+    const std::string told = psicarve({"snapshot", "info", file("run.snap")}).out;
+    EXPECT_NE(told.find("run.ngc: " + std::to_string(text_of(file("run.ngc")).size()) + " bytes, XXH3 " +
+                        source["xxh3"].get<std::string>() + "; "),
+              std::string::npos)
+        << told;
+    EXPECT_NE(told.find(" taken; --single --optional-stop --block-delete --from-line 6\n"), std::string::npos)
+        << told;
     const Outcome again = replay();
     EXPECT_EQ(again.exit_code, 0) << again.error;
     EXPECT_EQ(again.json()["as_recorded"], true) << again.out;
@@ -222,6 +234,9 @@ TEST_F(ReplayedProgram, OfAStreamIsOneOfAnyTextWithTheSameMotions) {
                                 " --trace " + file("run.vcd") + " <" + file("sent.ngc") + " >/dev/null 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     (void)snapshot();
+    const Outcome info = psicarve({"snapshot", "info", file("run.snap"), "--json"});
+    EXPECT_EQ(info.json()["program_source"]["is_stream"], true) << info.out;
+    EXPECT_TRUE(info.json()["program_source"]["bytes"].is_null()) << info.out;
     write("same.ngc", "(the same)" + long_program(10) + "M2\n");
     const Outcome again = replay("same.ngc");
     EXPECT_EQ(again.exit_code, 0) << again.error;
@@ -256,6 +271,8 @@ TEST_F(ReplayedProgram, IsRefusedWithAnotherTextOrNone) {
 TEST_F(ReplayedProgram, IsRefusedWhereTheSnapshotDoesNotTellEnough) {
     begin_machine();
     (void)snapshot();
+    const Outcome info = psicarve({"snapshot", "info", file("run.snap"), "--json"});
+    EXPECT_TRUE(info.json()["program_source"].is_null()) << info.out;
     write("run.ngc", "M2\n");
     const Outcome none = replay();
     EXPECT_EQ(none.exit_code, 3);

@@ -261,11 +261,11 @@ std::optional<ProgramRule::Back> ProgramRule::back_of(const Live& way, std::size
     return Back{behind * along.length_mm(), allowed * along.length_mm()};
 }
 
-void ProgramRule::finish(std::int64_t time_ns) {
+void ProgramRule::finish(std::int64_t time_ns, SignalWord levels) {
     if (!ways_) ways_ = std::make_unique<WayReader>(program_, profile_, scale_, start_);
     const bool is_over = phase_ == Phase::over;
     judge_end(time_ns);
-    judge_last_switches(time_ns, is_over || phase_ == Phase::over);
+    judge_last_switches(time_ns, levels, is_over || phase_ == Phase::over);
     note_lowered();
     phase_ = Phase::over;
     // A wrong program judges nothing, wherever the trace ends.

@@ -25,7 +25,6 @@ ProgramRule::ProgramRule(JudgedProgram program, const Profile& profile, OffenceL
 void ProgramRule::begin(const TraceStart& start) {
     tick_ns_ = start.period_ns;
     present_ = start.present;
-    levels_ = start.initial_levels;
     this->start(start.position_pulses);
 }
 
@@ -76,7 +75,7 @@ WayTolerance ProgramRule::tolerance_of(const Live& way) const noexcept {
 
 void ProgramRule::settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) {
     const bool spindle_on = (levels & bit_of(Signal::spindle)) != 0;
-    levels_ = levels;
+    was_spindle_off_ = !spindle_on || (was_spindle_off_ && (phase_ == Phase::over || positions == at_));
     if (phase_ == Phase::over) return;
     if (phase_ == Phase::waiting) {
         was_spindle_on_ = spindle_on;

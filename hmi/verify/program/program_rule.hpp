@@ -64,7 +64,8 @@ public:
     void begin(const TraceStart& start);
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override;
-    void finish(std::int64_t time_ns);
+    /// `levels` are the last ones: also where drives that went off settled nothing.
+    void finish(std::int64_t time_ns, SignalWord levels);
 
     const CarvePlace& place() const noexcept { return place_; }
     std::uint64_t ways_done() const noexcept { return ways_done_; }
@@ -176,7 +177,7 @@ private:
     static void take_back(Live& way, std::int64_t since_ns) noexcept;
     SignalWord wrong_switches(const Live& way, SignalWord levels) const noexcept;
     void judge_switches(std::int64_t time_ns, SignalWord levels);
-    void judge_last_switches(std::int64_t time_ns, bool is_done);
+    void judge_last_switches(std::int64_t time_ns, SignalWord levels, bool is_done);
     Offence wrong_switch(Signal wire, bool is_on, const Live* way) const;
     void breach(std::size_t n, bool was_at_end, std::int64_t time_ns, const Positions& at);
     Offence missed_end(const Live& way) const;
@@ -213,7 +214,7 @@ private:
     bool is_at_rest_ = false;     ///< since then
     bool was_spindle_on_ = false;
     Positions at_{};                   ///< at the last instant
-    SignalWord levels_ = 0;            ///< then
+    bool was_spindle_off_ = false;     ///< since the program's last pulse
     SignalWord present_ = 0;           ///< wires that the trace has
     SignalWord told_switches_ = 0;     ///< that are wrong, and were told
     std::int64_t spun_up_ns_ = 0;      ///< when the spindle was last switched on and had come to its speed

@@ -36,14 +36,15 @@ void ProgramRule::judge_switches(std::int64_t time_ns, SignalWord levels) {
     }
 }
 
-/// Where the program is over, and where all drives are off, nothing is on.
-void ProgramRule::judge_last_switches(std::int64_t time_ns, bool is_done) {
+/// Where all drives are off, and where the program is over, nothing is on; but then a spindle that was off
+/// may have been switched by hand.
+void ProgramRule::judge_last_switches(std::int64_t time_ns, SignalWord levels, bool is_done) {
     const SignalWord enables = present_ & kEnableMask;
-    const bool is_off = enables != 0 && (levels_ & enables) == 0;
+    const bool is_off = enables != 0 && (levels & enables) == 0;
     if (!is_done && !is_off) return;
-    SignalWord judged = kSwitchedMask;
-    if (is_off) judged |= bit_of(Signal::spindle);
-    for (SignalWord left = levels_ & judged & present_; left != 0; left &= left - 1) {
+    SignalWord wrong = levels & (kSwitchedMask | bit_of(Signal::spindle)) & present_;
+    if (!is_off && was_spindle_off_) wrong &= ~bit_of(Signal::spindle);
+    for (SignalWord left = wrong; left != 0; left &= left - 1) {
         const auto wire = static_cast<Signal>(std::countr_zero(left));
         if (log_.count(1, time_ns))
             report(time_ns, wrong_switch(wire, true, nullptr), place_.line.value_or(0));

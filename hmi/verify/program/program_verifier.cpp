@@ -37,7 +37,7 @@ void ProgramVerifier::feed(std::span<const TraceEvent> events) {
 ProgramVerifyReport ProgramVerifier::finish() {
     State& s = *state_;
     s.pins.settle();
-    s.path.finish(s.pins.instant_ns());
+    s.path.finish(s.pins.instant_ns(), s.pins.levels());
     s.pins.finish();
     ProgramVerifyReport report;
     report.rules = s.log.rules();

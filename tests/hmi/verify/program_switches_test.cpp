@@ -76,6 +76,37 @@ TEST(ProgramSwitches, AreOffWhereTheProgramIsOver) {
     EXPECT_EQ(verdict(judged(kText, machine, wired_profile())).substr(0, 6), "output");
 }
 
+TEST(ProgramSwitches, ThatASpindleTurnsOnBehindTheProgramIsWrong) {
+    PlacedMachine machine = switched({Signal::spindle, 0.3});
+    EXPECT_EQ(verdict(judged(kText, machine, wired_profile())), "spindle 10");
+    const std::string ends_on = "G21 G90 G94 G61 F300\nM3\nG1 X39\nM2\n";
+    PlacedMachine on{wired_profile()};
+    on.spindle(true).rest(1.0).to({39, 41, 0, 0}).rest(0.1);
+    EXPECT_EQ(verdict(judged(ends_on, on, wired_profile())).substr(0, 7), "spindle");
+    on.spindle(false).rest(0.1);
+    EXPECT_EQ(verdict(judged(ends_on, on, wired_profile())), "ok");
+    on.spindle(true).rest(0.1);
+    EXPECT_EQ(verdict(judged(ends_on, on, wired_profile())), "ok") << "by hand, afterwards";
+}
+
+// Drives alone settle nothing when they go off: what the core forgot is on in the last levels.
+TEST(ProgramSwitches, ThatStayOnWithoutDrivesAreWrong) {
+    for (const bool is_on : {false, true}) {
+        PlacedMachine machine{wired_profile()};
+        PerfectMachine& pins = machine.pins();
+        pins.start.present |= kSwitchedMask;
+        if (is_on) pins.set(Signal::flood, true);
+        machine.rest(0.1).to({39.5, 41, 0, 0});
+        for (const Axis axis : kAllAxes) pins.set(enable_of(axis), false);
+        machine.rest(0.1);
+        const std::string text =
+            std::string{"G21 G90 G94 G61 F300\n"} + (is_on ? "M8\n" : "") + "G1 X39\nM2\n";
+        const auto report = judged(text, machine, wired_profile());
+        EXPECT_EQ(report.rules[0].first->fault, "ends-early");
+        EXPECT_EQ(report.rules[0].offences, is_on ? 2U : 1U) << program_report_text(report);
+    }
+}
+
 TEST(ProgramSwitches, ThatATraceDoesNotHaveAreNotJudged) {
     PlacedMachine machine = switched({Signal::flood, 0.3});
     machine.pins().start.present &= ~bit_of(Signal::flood);

@@ -67,6 +67,26 @@ TEST_F(LineStopOf, FindsTheNextEndWhereThatIsTooNear) {
     EXPECT_TRUE(sut_->ends_at(feed_.number() + 280));
 }
 
+// A brake from 0.2 u/tick takes 206 segments, and each look goes over all of them: an end that is one line
+// further would be passed before it is known.
+TEST_F(LineStopOf, CatchesUpWithAnEndHoweverShortTheLinesAre) {
+    std::vector<MotionBlock> run(2000, block(0.1));
+    for (std::size_t i = 2; i < run.size(); i += 3) run[i].ends_line = 1;
+    queue(run);
+    const double fastest2 = 0.2 * 0.2 / (kPathTick_s * kPathTick_s);
+    const std::uint64_t first = feed_.number();
+    for (int tick = 0; feed_.number() < first + 100; ++tick) {
+        if (tick % 5 == 4 && !feed_.take_next_of_group()) break;
+        if (!sut_->look(feed_, LineStop::kBlocksPerTick)) continue;
+        if (!sut_->holds(feed_.number()) || sut_->bounds(feed_.number()).begin2 >= fastest2) break;
+        sut_->seek_next(feed_);
+    }
+    std::uint64_t end = feed_.number();
+    while (!sut_->ends_at(end) && end < first + 2000) ++end;
+    EXPECT_GT(end - feed_.number(), 200U);
+    EXPECT_LT(end - feed_.number(), 2 * 206U);
+}
+
 TEST_F(LineStopOf, LeavesTheEndOfARunToItsOwnRest) {
     std::vector<MotionBlock> run(20, block(0.1));
     run.back().ends_line = 1;

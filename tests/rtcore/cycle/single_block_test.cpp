@@ -69,6 +69,32 @@ TEST(SingleBlock, RunsOnFromTheNextResumeOnceSingleIsSwitchedOff) {
     }
 }
 
+TEST(SingleBlock, SwitchedOffInTheVeryRestOfALineHoldsNoMore) {
+    const auto begun = [](ProgramRig& sut) {
+        Script script{sut.positions()};
+        for (int i = 0; i < 3; ++i) script.way({-40, 0, 60, 20}, 0.01, 0.02);
+        script.end();
+        sut.give(script.steps);
+        EXPECT_EQ(sut.start(), Refusal::none);
+        EXPECT_EQ(sut.ask(RequestKind::single, 0, 1), Refusal::none);
+        return script.at();
+    };
+    ProgramRig held;
+    begun(held);
+    const std::uint64_t begin = held.cycle->next_tick();
+    ASSERT_TRUE(held.run_until(MachineState::held));
+    const std::uint64_t ticks = held.cycle->next_tick() - begin;
+    for (std::uint64_t before = 1; before <= 6; ++before) {
+        ProgramRig sut;
+        const auto end = begun(sut);
+        sut.run(ticks - before);
+        ASSERT_EQ(sut.cycle->state(), MachineState::carving);
+        ASSERT_EQ(sut.ask(RequestKind::single, 0, 0), Refusal::none);
+        EXPECT_TRUE(held_lines(sut).empty()) << before << " ticks before it was held";
+        EXPECT_EQ(sut.positions(), end);
+    }
+}
+
 // What is asked for in the tick of such a rest is done.
 TEST(SingleBlock, StopsOrHoldsInTheRestAtALinesEnd) {
     for (const std::uint64_t after : {0U, 1U, 2U}) {

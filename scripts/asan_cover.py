@@ -1,20 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which tests of a program the suite runs under AddressSanitizer in every run: so few that they reach all code of the
-product that all its tests reach. The others are for `scripts/test.sh --long`, and for dev.
+"""Which tests of these programs the suite runs under AddressSanitizer in every run: so few that they reach all code of
+the product that all tests of these programs reach together, those of which the data counts (DATA_COUNTS), and the quick
+ones (QUICK_S). The others are for `scripts/test.sh --long`, and for dev.
 
-usage: asan_cover.py measure PROGRAM...
-       asan_cover.py choose PROGRAM
-       asan_cover.py check PROGRAM
+usage: asan_cover.py measure [PROGRAM...]
+       asan_cover.py choose [PROGRAM...]
+       asan_cover.py check [PROGRAM...]
+
+Without PROGRAM: those that have a list.
 
 measure: builds asan once more in build/cover, so that processes tell which blocks of code they reach
     (tests/reached_code.cpp), and runs each test of these programs by itself. Keeps what each of them and its children
     reached, and its processor time, in build/cover/reached/PROGRAM.jsonl. Tests that have been measured since the build are
     not run again.
-choose: writes PROGRAM.repeats beside the CMakeLists.txt of PROGRAM, the names of the tests that are left out: at each step
-    the test is taken that reaches most new code for its time, and at last those are dropped that the others have made
+choose: writes PROGRAM.repeats beside the CMakeLists.txt of each PROGRAM, the names of its tests that are left out: at each
+    step the test is taken that reaches most new code for its time, and at last those are dropped that the others have made
     needless. A line that only one test reached, by chance or not, keeps this test. What was not measured is not left out.
-check: what no test reaches any more that is not left out, by line, and what is named there and does not exist.
+    A test of one program may stand for one of another: name them together, here and in check.
+check: what no test reaches any more that is not left out, by line, and what is named there and does not exist, or must not
+    be named.
 Exit codes: 0; 1 something failed, or check has found something; 2 wrong usage.
 """
 
@@ -28,7 +33,12 @@ import signal
 import subprocess
 import sys
 import tempfile
+import textwrap
 import threading
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import suite  # noqa: E402  beside us
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 BUILD = os.path.join(ROOT, "build", "cover")
@@ -37,6 +47,27 @@ PRODUCT = ("hmi/", "rtcore/", "shared/")
 # Programs that tests start.
 STARTED = ("psicarve", "psicarve-rtcore", "psicarve-hmi", "fake_port_preload")
 LONGEST_S = 600  # of a test
+# Of processor time: what takes less is not left out. Half of it is a program's begin, and of other data there are chances.
+QUICK_S = 0.25
+# Where not the lines count but what goes through them: mutated, broken, hostile and foreign input, deaths of processes, faults.
+DATA_COUNTS = [
+    *suite.EXACT,
+    r"Mutation",
+    r"Broken",
+    r"Damaged",
+    r"Death",
+    r"Kill(s|ed)?(?![a-z])",
+    r"Fault\.",
+    r"Fuzz",
+    r"Garbage",
+    r"Hostile",
+    r"^RandomCommands\.",
+    r"Torn",
+    r"Truncat",
+    r"BadPrograms\.",
+    r"^FromPackages/RealDrawing",
+    r"^FromPackages/RealMeshes\.",
+]
 LEFT_OUT_SOURCES = "[coverage]\nsrc:tests/*\nsrc:*/tests/*\nsrc:*_autogen*\n"
 
 
@@ -159,24 +190,33 @@ def places_of(program, addresses):
     return {address: place_in(json.loads(line).get("Symbol", [])) for address, line in zip(addresses, answer, strict=True)}
 
 
-def cover(seconds, lines):
-    """Names of tests that reach all lines together. seconds, lines: by test."""
+def counts_by_its_data(name):
+    return any(re.search(pattern, name) for pattern in DATA_COUNTS)
+
+
+def cover(seconds, lines, kept=frozenset()):
+    """Names of tests that reach all lines together, kept among them. seconds, lines: by test."""
     bit = {line: 1 << n for n, line in enumerate(sorted(set().union(*lines.values())))}
     bits = {name: sum(bit[line] for line in of_test) for name, of_test in lines.items()}
     wanted = (1 << len(bit)) - 1
+    for name in kept:
+        wanted &= ~bits[name]
     chosen = []
     while wanted:
         best = max(bits, key=lambda name: ((bits[name] & wanted).bit_count() / max(seconds[name], 0.01), name))
         chosen.append(best)
         wanted &= ~bits[best]
+    always = 0
+    for name in kept:
+        always |= bits[name]
     # The dearest first: others may have made it needless.
     for name in sorted(chosen, key=lambda name: (-seconds[name], name)):
-        others = 0
+        others = always
         for other in chosen:
             others |= bits[other] if other != name else 0
         if others.bit_count() == len(bit):
             chosen.remove(name)
-    return set(chosen)
+    return set(chosen) | set(kept)
 
 
 def list_path(program):
@@ -196,62 +236,82 @@ def left_out(program):
         return {line.strip() for line in file if line.strip() and not line.startswith("#")}
 
 
-def measured(program):
-    """(seconds, lines) by test."""
-    kept = read_kept(program)
-    if not kept:
-        raise SystemExit(f"{program} was not measured since it was built")
+def listed_programs():
+    lists = glob.glob(os.path.join(ROOT, "tests", "**", "*.repeats"), recursive=True)
+    return sorted(os.path.basename(path).removesuffix(".repeats") for path in lists)
+
+
+def measured(programs):
+    """(program -> names of its tests, seconds by test, lines by test)."""
+    tests = {program: read_kept(program) for program in programs}
+    for program, kept in tests.items():
+        if not kept:
+            raise SystemExit(f"{program} was not measured since it was built")
     reached = collections.defaultdict(set)
-    for entry in kept.values():
+    for entry in (entry for kept in tests.values() for entry in kept.values()):
         for part, addresses in entry["reached"].items():
             reached[part].update(addresses)
     places = {part: places_of(part, addresses) for part, addresses in reached.items()}
-    lines = {name: {places[part][address] for part, addresses in entry["reached"].items() for address in addresses} - {None}
-             for name, entry in kept.items()}
-    return {name: entry["seconds"] for name, entry in kept.items()}, lines
+    seconds, lines = {}, {}
+    for name, entry in (item for kept in tests.values() for item in kept.items()):
+        seconds[name] = entry["seconds"]
+        lines[name] = {places[part][address] for part, addresses in entry["reached"].items() for address in addresses}
+        lines[name].discard(None)
+    return {program: list(kept) for program, kept in tests.items()}, seconds, lines
 
 
-def choose(program):
-    seconds, lines = measured(program)
-    chosen = cover(seconds, lines)
-    rest = sorted(set(lines) - chosen)
-    with open(list_path(program), "w", encoding="utf-8") as file:
-        file.write("# Tests that reach no line of the product that the others do not: under AddressSanitizer only with\n"
-                   f"# --long. Made by scripts/asan_cover.py choose {program}.\n")
-        file.writelines(name + "\n" for name in rest)
-    tell(program, seconds, lines, set(rest))
+def choose(programs):
+    tests, seconds, lines = measured(programs)
+    kept = {name for name in lines if seconds[name] < QUICK_S or counts_by_its_data(name)}
+    chosen = cover(seconds, lines, kept)
+    for program, names in tests.items():
+        rest = sorted(set(names) - chosen)
+        if not rest:
+            if os.path.exists(list_path(program)):
+                os.remove(list_path(program))
+            continue
+        with open(list_path(program), "w", encoding="utf-8") as file:
+            file.write("# Tests that reach no line of the product that the others do not, of this program or of those that\n"
+                       "# were measured with it: under AddressSanitizer only with --long. Made by scripts/asan_cover.py choose\n"
+                       f"{textwrap.fill(' '.join(programs) + '.', 120, initial_indent='# ', subsequent_indent='# ')}\n")
+            file.writelines(name + "\n" for name in rest)
+    tell(tests, seconds, lines, set(lines) - chosen)
     return True
 
 
-def tell(program, seconds, lines, rest):
-    all_lines = set().union(*lines.values())
+def tell(tests, seconds, lines, rest):
+    for program, names in (*tests.items(), ("altogether", list(lines))):
+        run = [name for name in names if name not in rest]
+        print(f"{program}: {len(run)} of {len(names)} tests, {sum(seconds[name] for name in run):.0f} of"
+              f" {sum(seconds[name] for name in names):.0f} s of processor time")
     run_lines = set().union(*(lines[name] for name in lines if name not in rest))
-    print(f"{program}: {len(lines) - len(rest)} of {len(lines)} tests, {sum(s for n, s in seconds.items() if n not in rest):.0f}"
-          f" of {sum(seconds.values()):.0f} s of processor time, {len(run_lines)} of {len(all_lines)} lines")
+    print(f"{len(run_lines)} of {len(set().union(*lines.values()))} lines")
 
 
-def check(program):
-    seconds, lines = measured(program)
-    rest = left_out(program)
+def check(programs):
+    tests, seconds, lines = measured(programs)
+    rest = {name for program in programs for name in left_out(program)}
     gone = sorted(rest - set(lines))
     reached = set().union(*(lines[name] for name in lines if name not in rest))
-    tell(program, seconds, lines, rest)
+    tell(tests, seconds, lines, rest)
     for name in gone:
         print(f"no test is called {name}")
+    wrong = sorted(name for name in rest if counts_by_its_data(name))
+    for name in wrong:
+        print(f"of {name} the data counts")
     by_test = {name: lines[name] - reached for name in sorted(rest - set(gone))}
     for name, missed in by_test.items():
         if missed:
             print(f"only {name}: {', '.join(sorted(missed)[:5])}{' ...' if len(missed) > 5 else ''}")
-    return not gone and not any(by_test.values())
+    return not gone and not wrong and not any(by_test.values())
 
 
 def main(arguments):
-    if len(arguments) >= 2 and arguments[0] == "measure":
-        return 0 if measure(arguments[1:]) else 1
-    if len(arguments) == 2 and arguments[0] in ("choose", "check"):
-        return 0 if {"choose": choose, "check": check}[arguments[0]](arguments[1]) else 1
-    print(__doc__.strip(), file=sys.stderr)
-    return 2
+    does = {"measure": measure, "choose": choose, "check": check}
+    if not arguments or arguments[0] not in does:
+        print(__doc__.strip(), file=sys.stderr)
+        return 2
+    return 0 if does[arguments[0]](arguments[1:] or listed_programs()) else 1
 
 
 if __name__ == "__main__":

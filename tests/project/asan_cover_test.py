@@ -28,8 +28,30 @@ class Cover(unittest.TestCase):
         lines = {"quick": {"x:2"}, "left": {"x:1", "x:2"}, "right": {"x:2", "x:3"}}
         self.assertEqual(asan_cover.cover({"quick": 0.1, "left": 5.0, "right": 5.0}, lines), {"left", "right"})
 
+    def test_what_is_run_in_any_case_stays_and_makes_others_needless(self):
+        lines = {"kept": {"x:1"}, "dear": {"x:1", "x:2"}, "same": {"x:1"}, "quick": {"x:2"}}
+        seconds = {"kept": 9.0, "dear": 5.0, "same": 0.1, "quick": 1.0}
+        self.assertEqual(asan_cover.cover(seconds, lines, {"kept"}), {"kept", "quick"})
+
+    def test_whose_data_counts_is_known_by_its_name(self):
+        names = ["RecordMutation.ThousandsLetNoTornOrForeignRecordThrough", "BrokenInput.ModelsAreRefusedBySlice",
+                 "WriterDeath.AtAnyInstant", "CoreReplay.CarvingByCommandsTwiceGivesTheSameBytes", "CoreFault.AKilledCoreLeaves",
+                 "SnapshotFault.AFullDisk", "Gcode/BadPrograms.AreTold/endless", "FromPackages/RealMeshes.AreSliced/bearing",
+                 "PrintableOutput.IsAllThatCommandsSayOfHostileNames"]
+        self.assertEqual([name for name in names if not asan_cover.counts_by_its_data(name)], [])
+        others = ["HeadLift.LeavesEveryPulse", "FromPackages/RealMeshGouges.AreNoDeeper/bunny", "Skill.OfAnything",
+                  "DefaultTool.IsOne"]
+        self.assertEqual([name for name in others if asan_cover.counts_by_its_data(name)], [])
+
 
 class Lists(unittest.TestCase):
+    def test_name_no_test_whose_data_counts_and_are_of_programs_that_say_so(self):
+        self.assertIn("hmi_ui_test", asan_cover.listed_programs())
+        for program in asan_cover.listed_programs():
+            self.assertEqual([name for name in asan_cover.left_out(program) if asan_cover.counts_by_its_data(name)], [], program)
+            with open(os.path.join(os.path.dirname(asan_cover.list_path(program)), "CMakeLists.txt"), encoding="utf-8") as file:
+                self.assertRegex(file.read(), rf"psicarve_test\({program} (\w+ )*REPEATS\b")
+
     def test_name_tests_that_exist(self):
         for path in glob.glob(os.path.join(ROOT, "tests", "**", "*.repeats"), recursive=True):
             text = ""

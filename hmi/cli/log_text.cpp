@@ -107,7 +107,8 @@ std::string command_text(const JournalRecord& record) {
     if (record.what == "left out") return told(facts, "count", "", " more commands came too fast to be kept");
     std::string text = record.what + told(facts, "axes", " ") + told(facts, "axis", " ") +
                        told(facts, "value", " ") + told(facts, "target", " to ") +
-                       told(facts, "first_layer", " from layer ") + told(facts, "layers", ", ", " layers");
+                       told(facts, "first_layer", " from layer ") + told(facts, "first_point", ", point ") +
+                       told(facts, "layers", ", ", " layers");
     if (facts.number("resumes")) text += " where it stopped";
     if (facts.number("dry")) text += ", dry";
     std::string reason = facts.text("reason");

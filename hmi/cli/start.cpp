@@ -21,16 +21,21 @@ constexpr CommandText kStartText{
     "carving has begun.\n"
     "After a stop, an alarm or a crash of the core --resume goes on behind the last finished layer, and\n"
     "--from-layer with any other: its pulses are those of the whole run.\n"
+    "--from-point goes on within that layer: the heads go in at that very point.\n"
     "With --layers it stops in order after so many layers; --from-layer goes on with the next.",
-    "psicarve start --resume --carve\n  psicarve start --from-layer 120 --layers 1 --carve"};
+    "psicarve start --resume --carve\n  psicarve start --from-layer 120 --layers 1 --carve\n"
+    "  psicarve start --from-layer 120 --from-point 300 --carve"};
 
 constexpr std::uint32_t kMostLayer = kMaxJobCount - 1;
+constexpr std::uint32_t kMostPoint = kMaxJobCount - 1;
+constexpr std::uint32_t kFromBegin = ~std::uint32_t{0};
 
 struct StartOptions {
     bool carve = false;
     bool resume = false;
     bool dry_run = false;
     std::uint32_t from_layer = 0;
+    std::uint32_t from_point = kFromBegin;
     std::uint32_t layers = 0;
     std::string state_folder;
 };
@@ -70,6 +75,7 @@ Result<int> start(const CommonOptions& common, const StartOptions& options) {
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};
     command.details.value = options.from_layer;
     command.details.value2 = options.layers;
+    if (options.from_point != kFromBegin) set_start_point(command.details, options.from_point);
     command.details.axis = (options.resume ? kStartResumes : 0) | (options.dry_run ? kStartsDry : 0);
     auto status = run_motion(*link, command);
     if (status && options.carve) status = run_motion(*link, {CommandKind::start_interpolation, {}, {}});
@@ -85,9 +91,12 @@ void add_start(CommandSet& commands) {
     commands.add(kStartText, [options](const CommonOptions& common) { return start(common, *options); })
         .option("--from-layer", options->from_layer, 0, kMostLayer,
                 "Leave out the layers before N; the first is 0")
+        .option("--from-point", options->from_point, 0, kMostPoint,
+                "And of that layer the points before M, as status counts them; the first is 0")
         .option("--layers", options->layers, 0, kMostLayer + 1, "Carve N layers; 0 carves all that follow")
         .flag("--resume", options->resume, "Go on behind the last layer that was finished")
         .excludes("--resume", "--from-layer")
+        .excludes("--resume", "--from-point")
         .option("--state", options->state_folder, "FOLDER",
                 "Where the core keeps what is unfinished, if it was given --state")
         .flag("--dry-run", options->dry_run,

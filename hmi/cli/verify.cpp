@@ -32,12 +32,15 @@ constexpr CommandText kVerifyText{
     "psicarve verify pins.trace --program pocket.ngc\n"
     "psicarve verify figurine.job pins.vcd --model figurine.stl --deviation piece.png"};
 
+constexpr std::uint32_t kFromBegin = ~std::uint32_t{0};
+
 struct VerifyOptions {
     std::string job;
     std::string trace;  ///< empty: `job` is a trace that carries its job
     std::string picture;
     PieceFiles files;
     verify::LayerRange layers;
+    std::uint32_t from_point = kFromBegin;
     ProgramVerifyOptions program;
 };
 
@@ -89,7 +92,8 @@ Result<void> check_has_one_job(const VerifyOptions& options, const verify::Trace
 
 /// What is drawn and compared is a job's piece.
 Result<int> verify_by_program(const CommonOptions& common, const VerifyOptions& options) {
-    const bool has_layers = options.layers.first != 0 || options.layers.count != 0;
+    const bool has_layers =
+        options.layers.first != 0 || options.layers.count != 0 || options.from_point != kFromBegin;
     if (!options.trace.empty() || !options.picture.empty() || options.files.any() || has_layers)
         return Error{ErrorCode::bad_usage,
                      "--program: with a trace alone, as psicarve verify TRACE --program FILE"};
@@ -98,6 +102,7 @@ Result<int> verify_by_program(const CommonOptions& common, const VerifyOptions& 
 
 Result<int> verify_files(const CommonOptions& common, VerifyOptions options) {
     if (!options.program.program.empty()) return verify_by_program(common, options);
+    if (options.from_point != kFromBegin) options.layers.first_point = options.from_point;
     std::error_code none;
     if (options.trace.empty() || std::filesystem::equivalent(options.job, options.trace, none))
         options.trace = options.job;
@@ -148,6 +153,7 @@ void add_verify(CommandSet& commands) {
         .picture_option(options->picture)
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
                 "Carving was to begin with layer N, as with psicarve start")
+        .option("--from-point", options->from_point, 0, kMaxJobCount - 1, "And with point M of that layer")
         .option("--layers", options->layers.count, 0, kMaxJobCount, "And to end after N layers")
         .option("--program", options->program.program, "FILE",
                 "The program in G-code that the trace has, in place of a job")

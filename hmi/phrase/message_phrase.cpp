@@ -81,6 +81,8 @@ std::vector<Row> of_jobs() {
     return {
         {Id::no_such_layer, phrase("the job has not so many layers, but %1")},
         {Id::no_such_first_layer, phrase("the job has no such layer")},
+        {Id::no_such_point,
+         phrase("a layer has %1 points: no carving begins beyond them, nor with its last")},
         {Id::layers_not_whole, phrase("a layer is a whole number")},
         {Id::job_looked_at, phrase("a published job is being looked at; start once it is accepted")},
         {Id::nothing_carved, phrase("nothing was carved yet")},

@@ -136,7 +136,7 @@ std::optional<bool> PinRecorder::began_whole(std::uint64_t start_tick) {
                               record->answer == static_cast<std::uint32_t>(AnswerKind::done);
         if (!is_start || record->tick < start_tick) continue;
         const auto asked = static_cast<std::uint64_t>(record->value);
-        return (asked & (kRecordedFirstLayer | kRecordedDryRun)) == 0;
+        return (asked & (kRecordedFirstLayer | kRecordedFirstPoint | kRecordedDryRun)) == 0;
     }
     return std::nullopt;
 }

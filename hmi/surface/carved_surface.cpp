@@ -24,7 +24,9 @@ void CarvedSurface::expect_points() {
             auto row = geometry_.row_of_point(h, layer, 0);
             for (std::uint32_t point = 0; point < geometry_.point_count(); ++point) {
                 if (geometry_.is_spiral()) row = geometry_.row_of_point(h, layer, point);
-                if (!row) continue;
+                const std::uint32_t step =
+                    carved_point(geometry_.job().joining(), geometry_.point_count(), layer, point);
+                if (!row || step < geometry_.first_step(layer)) continue;
                 const std::int64_t psi = geometry_.job().psi_pulses(layer, point);
                 const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, psi));
                 deviation_[std::size_t{*row} * direction_count() + cell] = kUntouched;

@@ -52,9 +52,17 @@ Result<JobGeometry> JobGeometry::make(const JobView& job, const Profile& profile
         return bad_input("the job has " + std::to_string(job.layer_count()) + " layers, from 0 on: none is " +
                          std::to_string(layers.first));
     }
+    const std::uint32_t first_point = layers.first_point.value_or(0);
+    const std::uint32_t step = carved_point(job.joining(), job.point_count(), layers.first, first_point);
+    if (first_point >= job.point_count() || (layers.first_point && step + 1 == job.point_count())) {
+        return bad_input("a layer of the job has " + std::to_string(job.point_count()) +
+                         " points, from 0 on: no carving begins with point " + std::to_string(first_point) +
+                         " of layer " + std::to_string(layers.first));
+    }
     JobGeometry g;
     const std::uint32_t left = job.layer_count() - layers.first;
     g.first_layer_ = layers.first;
+    g.first_step_ = layers.first_point ? step : 0;
     g.end_layer_ = layers.first + (layers.count == 0 ? left : std::min(layers.count, left));
     g.job_ = job;
     g.heads_ = {head_of(profile.r1), head_of(profile.r2)};

@@ -19,10 +19,12 @@ using Positions = std::array<std::int64_t, kAxisCount>;
 inline constexpr std::size_t kHeadCount = 2;
 inline constexpr std::array<Axis, kHeadCount> kHeads{Axis::r1, Axis::r2};
 
-/// The layers that a trace should have carved: counted as by `psicarve start --from-layer` and `--layers`.
+/// The layers that a trace should have carved: counted as by `psicarve start --from-layer`, `--layers` and
+/// `--from-point`.
 struct LayerRange {
     std::uint32_t first = 0;
-    std::uint32_t count = 0;  ///< 0: all that follow
+    std::uint32_t count = 0;                     ///< 0: all that follow
+    std::optional<std::uint32_t> first_point{};  ///< of the first layer's table; nothing: from its begin
 };
 
 /// One tool head as it stands in the machine.
@@ -54,10 +56,14 @@ public:
     std::uint32_t row_count() const noexcept { return layer_count() - first_row_layer(); }
     /// In the layers that are to be carved.
     std::uint64_t total_points() const noexcept {
-        return std::uint64_t{end_layer_ - first_layer_} * point_count();
+        return std::uint64_t{end_layer_ - first_layer_} * point_count() - first_step_;
     }
     std::uint32_t first_layer() const noexcept { return first_layer_; }
     std::uint32_t end_layer() const noexcept { return end_layer_; }
+    /// Of a layer's points, in the order of carving, the one with which it is to begin.
+    std::uint32_t first_step(std::uint32_t layer) const noexcept {
+        return layer == first_layer_ ? first_step_ : 0;
+    }
     std::uint32_t direction_count() const noexcept { return 2 * (point_count() - 1); }
     std::int64_t rev_pulses() const noexcept { return rev_pulses_; }
     double rad_per_pulse() const noexcept { return rad_per_pulse_; }
@@ -131,6 +137,7 @@ private:
     double y_pulses_per_mm_ = 1.0;
     double tolerance_mm_ = 0.0;
     std::uint32_t first_layer_ = 0;
+    std::uint32_t first_step_ = 0;
     std::uint32_t end_layer_ = 0;
     double blank_radius_mm_ = 0.0;
     std::int64_t outer_margin_low_ = 0;  ///< a tip this far below the lowest row still counts as in that row

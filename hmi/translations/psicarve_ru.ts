@@ -6027,6 +6027,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>задание выполняется (%1); остановите его или дождитесь конца</translation>
         </message>
         <message>
+            <source>a layer has %1 points: no carving begins beyond them, nor with its last</source>
+            <translation>точек в слое: %1; начать за ними или с последней из них нельзя</translation>
+        </message>
+        <message>
             <source>a layer is a whole number</source>
             <translation>номер слоя — целое число</translation>
         </message>

@@ -6020,6 +6020,10 @@ N、Shift+N  下一条、上一条记录
             <translation>作业正在运行（%1）；请停止或等待其结束</translation>
         </message>
         <message>
+            <source>a layer has %1 points: no carving begins beyond them, nor with its last</source>
+            <translation>每层有 %1 个点：不能从其后或从最后一点开始</translation>
+        </message>
+        <message>
             <source>a layer is a whole number</source>
             <translation>层号须为整数</translation>
         </message>

@@ -20,13 +20,14 @@ void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
 }
 
 bool PathRule::is_begin_of(std::uint32_t layer, const Positions& at) const noexcept {
-    const Positions first = geometry_.target(layer, 0);
+    const Positions first = geometry_.target(layer, geometry_.first_step(layer));
     return at[kY] == first[kY] && at[0] == first[0] && at[1] == first[1] &&
            (at[kPsi] - first[kPsi]) % geometry_.rev_pulses() == 0;
 }
 
 bool PathRule::was_near_first_point() const noexcept {
-    const Positions first = geometry_.target(geometry_.first_layer(), 0);
+    const std::uint32_t layer = geometry_.first_layer();
+    const Positions first = geometry_.target(layer, geometry_.first_step(layer));
     const std::int64_t rest = std::abs((last_[kPsi] - first[kPsi]) % geometry_.rev_pulses());
     return std::abs(last_[0] - first[0]) <= kNearPulses && std::abs(last_[1] - first[1]) <= kNearPulses &&
            std::abs(last_[kY] - first[kY]) <= kNearPulses &&
@@ -39,7 +40,8 @@ std::optional<std::uint32_t> PathRule::layer_that_begins(const Positions& at) {
         begins_y_ = at[kY];
         beginning_.clear();
         for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
-            if (geometry_.target(layer, 0)[kY] == at[kY]) beginning_.push_back(layer);
+            if (geometry_.target(layer, geometry_.first_step(layer))[kY] == at[kY])
+                beginning_.push_back(layer);
         }
     }
     std::optional<std::uint32_t> found;
@@ -59,26 +61,82 @@ std::uint32_t PathRule::due_layer() const noexcept {
 /// Heads that go in together may pass where an earlier pass begins: nothing has begun until psi turns.
 bool PathRule::may_begin(const Positions& at) const noexcept {
     if (phase_ == Phase::approach) return true;
-    return phase_ == Phase::segment && layer_ == begun_layer_ && step_ == 1 &&
+    return phase_ == Phase::segment && layer_ == begun_layer_ && step_ == begun_step_ + 1 &&
            at[kPsi] - psi_offset_ == from_[kPsi];
 }
 
 /// Whether carving begins here.
 bool PathRule::begin_layer(std::int64_t time_ns, const Positions& at) {
+    const bool begun = phase_ != Phase::approach;
     const auto layer = layer_that_begins(at);
-    if (!layer || (phase_ != Phase::approach && *layer == begun_layer_)) return false;
+    const auto begin =
+        layer ? std::optional(Begin{*layer, geometry_.first_step(*layer)}) : point_that_begins(at);
+    if (!begin || (begun && begin->layer == begun_layer_ && begin->step == begun_step_)) return false;
     // Carving passes a place where it must not begin.
-    if (is_elsewhere_ && geometry_.job().is_joint(*layer, 0)) return false;
-    if (phase_ != Phase::approach) log_.restore(1, at_start_);
+    if (is_elsewhere_ && geometry_.job().is_joint(begin->layer, 0)) return false;
+    if (begun) {
+        log_.restore(1, at_start_);
+        visited_of_ = visited_before_;
+    }
+    visited_before_ = visited_of_;
     phase_ = Phase::approach;
-    is_elsewhere_ = *layer < geometry_.first_layer() || *layer >= geometry_.end_layer();
+    is_elsewhere_ = !is_judged(*begin);
     if (is_elsewhere_) return true;
-    start(*layer, time_ns, at[kPsi]);
+    start(*begin, time_ns, at[kPsi]);
     reach(time_ns);
     return true;
 }
 
+/// Which of a layer's points this is.
+std::optional<std::uint32_t> PathRule::step_at(std::uint32_t layer, const Positions& at) const noexcept {
+    const std::uint32_t last = geometry_.point_count() - 1;
+    const JobView& job = geometry_.job();
+    if (job.y_pulses(layer, 0) > at[kY] || job.y_pulses(layer, last) < at[kY]) return std::nullopt;
+    const std::int64_t rev = geometry_.rev_pulses();
+    const std::int64_t first_psi = geometry_.target(layer, 0)[kPsi];
+    const std::int64_t way = geometry_.target(layer, last)[kPsi] - first_psi;
+    const std::int64_t sign = way < 0 ? -1 : 1;
+    std::int64_t turned = (at[kPsi] - first_psi) * sign % rev;
+    if (turned < 0) turned += rev;
+    if (turned > way * sign) return std::nullopt;
+    std::uint32_t step = 0;  // the first that lies as far from the layer's begin
+    for (std::uint32_t end = last; step < end;) {
+        const std::uint32_t middle = step + (end - step) / 2;
+        if ((geometry_.target(layer, middle)[kPsi] - first_psi) * sign < turned) {
+            step = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    const Positions point = geometry_.target(layer, step);
+    const bool is_there = (point[kPsi] - first_psi) * sign == turned && point[0] == at[0] &&
+                          point[1] == at[1] && point[kY] == at[kY];
+    return is_there ? std::optional(step) : std::nullopt;
+}
+
+/// The point of a layer, not its last, that heads which go in, psi and Y still, have reached: one of the
+/// layer that is due where there are several.
+std::optional<PathRule::Begin> PathRule::point_that_begins(const Positions& at) const noexcept {
+    const bool rests = at[kPsi] == last_[kPsi] && at[kY] == last_[kY];
+    const bool goes_in = rests && at != last_ && at[0] <= last_[0] && at[1] <= last_[1];
+    if (!goes_in || has_turned_ || is_elsewhere_) return std::nullopt;
+    std::optional<Begin> found;
+    const std::uint32_t due = due_layer();
+    for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
+        const auto step = step_at(layer, at);
+        if (!step || *step + 1 == geometry_.point_count()) continue;
+        if (!found || layer == due) found = Begin{layer, *step};
+    }
+    return found;
+}
+
+bool PathRule::is_judged(Begin begin) const noexcept {
+    return begin.layer >= geometry_.first_layer() && begin.layer < geometry_.end_layer() &&
+           begin.step >= geometry_.first_step(begin.layer);
+}
+
 void PathRule::follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on) {
+    has_turned_ = spindle_on && (has_turned_ || at[kPsi] != last_[kPsi]);
     if (is_elsewhere_) return;
     if (!spindle_on || at[kPsi] == last_[kPsi] || !was_near_first_point()) {
         touch(time_ns, at);
@@ -86,7 +144,7 @@ void PathRule::follow_approach(std::int64_t time_ns, const Positions& at, bool s
     }
     // Psi turns away from the first point though it was never quite reached.
     before_guess_ = log_.result(1);
-    start(geometry_.first_layer(), time_ns, last_[kPsi]);
+    start({geometry_.first_layer(), geometry_.first_step(geometry_.first_layer())}, time_ns, last_[kPsi]);
     is_guess_ = true;
     Positions left = last_;
     left[kPsi] -= psi_offset_;
@@ -97,25 +155,37 @@ void PathRule::follow_approach(std::int64_t time_ns, const Positions& at, bool s
     follow_segment(time_ns, now);
 }
 
-/// Begins to carve with a layer: with the first one anew, or goes on with a later one.
-void PathRule::start(std::uint32_t layer, std::int64_t time_ns, std::int64_t psi_pulses) {
+/// Of that layer what lies before is carved still, as far as it was; all behind it is carved anew.
+void PathRule::forget_from(Begin begin) {
+    const std::uint32_t first = geometry_.first_layer();
+    visited_of_[begin.layer] = std::min(visited_of_[begin.layer], begin.step);
+    std::fill(visited_of_.begin() + begin.layer + 1, visited_of_.end(), 0U);
+    visited_ = std::accumulate(visited_of_.begin() + first, visited_of_.begin() + begin.layer + 1,
+                               std::uint64_t{0}) -
+               geometry_.first_step(first);
+}
+
+/// Begins to carve with a point: with the first one anew, or goes on with a later one.
+void PathRule::start(Begin begin, std::int64_t time_ns, std::int64_t psi_pulses) {
+    const std::uint32_t layer = begin.layer;
     const std::int64_t rev = geometry_.rev_pulses();
-    const std::int64_t first = geometry_.target(layer, 0)[kPsi];
+    const std::int64_t first = geometry_.target(layer, begin.step)[kPsi];
     const double turns = static_cast<double>(psi_pulses - first) / static_cast<double>(rev);
     psi_offset_ = round_to_pulse(turns) * rev;
     begun_layer_ = layer;
-    const bool goes_on = layer > geometry_.first_layer();
+    begun_step_ = begin.step;
+    const bool goes_on = layer > geometry_.first_layer() || begin.step > geometry_.first_step(layer);
     const bool leaves_out = layer > due_layer();
+    const std::uint32_t due_step = visited_of_[layer];
     if (goes_on) {
         count_held_attempt();
     } else {
         max_line_mm_ = 0.0;
         max_line_pulses_ = 0.0;
     }
-    std::fill(visited_of_.begin() + layer, visited_of_.end(), 0U);
-    visited_ = std::accumulate(visited_of_.begin() + geometry_.first_layer(), visited_of_.begin() + layer,
-                               std::uint64_t{0});
+    forget_from(begin);
     is_guess_ = false;
+    has_turned_ = false;
     has_left_ = false;
     is_complete_ = false;
     ended_at_.reset();
@@ -125,8 +195,13 @@ void PathRule::start(std::uint32_t layer, std::int64_t time_ns, std::int64_t psi
     at_start_ = log_.result(1);
     is_holding_ = false;
     const std::uint32_t due = due_layer();
-    aim(layer, 0);
-    if (leaves_out) leave_out(time_ns, due);
+    aim(layer, begin.step);
+    if (begin.step > 1)
+        aim_surface(layer,
+                    carved_point(geometry_.job().joining(), geometry_.point_count(), layer, begin.step));
+    if (leaves_out) return leave_out(time_ns, due);
+    // Where the last point carved is the one before it, the way between them is left out.
+    if (goes_on && begin.step > 0 && begin.step >= due_step) leave_out_points(time_ns, begin, due_step);
 }
 
 void PathRule::end_attempt(std::int64_t time_ns) {

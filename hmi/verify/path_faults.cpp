@@ -86,6 +86,21 @@ void PathRule::leave_out(std::int64_t time_ns, std::uint32_t due) {
     report(time_ns, std::move(offence));
 }
 
+/// Or beyond points of a layer.
+void PathRule::leave_out_points(std::int64_t time_ns, Begin begin, std::uint32_t due) {
+    if (!log_.count(1, time_ns)) return;
+    Offence offence;
+    offence.fault = "points-left-out";
+    offence.measured = static_cast<double>(begin.step);
+    offence.allowed = static_cast<double>(due);
+    offence.bound = Bound::at_most;
+    offence.unit = "points";
+    offence.sentence = "carving begins behind " + std::to_string(begin.step) + " points of layer " +
+                       std::to_string(begin.layer) + ", of which " + std::to_string(due) +
+                       " have been carved";
+    report(time_ns, std::move(offence));
+}
+
 void PathRule::miss_rest_of_layer(std::int64_t time_ns, const Positions& at) {
     const std::uint32_t layer = layer_;
     while (phase_ == Phase::segment && layer_ == layer) miss(time_ns, at);
@@ -230,7 +245,7 @@ std::optional<double> PathRule::floor_of_way(std::size_t h, const Positions& at,
         add(from_);
         add(to_);
     } else {
-        add(geometry_.target(geometry_.first_layer(), 0));
+        add(geometry_.target(geometry_.first_layer(), geometry_.first_step(geometry_.first_layer())));
     }
     return geometry_.least_around(at[kY] + head.height_offset_pulses, direction, ends);
 }

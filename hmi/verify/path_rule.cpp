@@ -19,13 +19,14 @@ constexpr double kHeightSlackPulses = 1.0;
 PathRule::PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log)
     : geometry_(geometry), surface_(&surface), log_(log), visited_of_(geometry.layer_count(), 0) {
     log_.set_judged(1);
+    visited_of_[geometry.first_layer()] = geometry.first_step(geometry.first_layer());
 }
 
 void PathRule::begin(const Positions& positions, bool spindle_on) {
     last_ = positions;
     spindle_on_ = spindle_on;
     before_attempt_ = log_.result(1);
-    aim(geometry_.first_layer(), 0);
+    aim(geometry_.first_layer(), geometry_.first_step(geometry_.first_layer()));
     phase_ = Phase::approach;
     place_ = {};
 }

@@ -20,11 +20,13 @@ namespace psicarve::verify {
 /// deeper than the job asks at that place. Carves the surface on the way.
 ///
 /// An attempt at carving begins where the first point is reached with the spindle on, psi up to whole turns,
-/// or where a later layer's first point is: then carving goes on with that layer. It ends when the spindle
-/// stops or homing comes; a last way that only leads outward, psi and Y still, is the retraction and not
-/// judged as a line. The last attempt that began with the first layer counts, and all attempts that went on
-/// from it: breaches before are dropped, and a layer that none of them carved is a breach. After a breach the
-/// rule goes on with the next point, so that one lost pulse does not hide all that follows.
+/// or where a later layer's first point is: then carving goes on with that layer; or where heads that go
+/// in, psi and Y still, reach any other point but a layer's last: then it goes on within that layer. It ends
+/// when the spindle stops or homing comes; a last way that only leads outward, psi and Y still, is the
+/// retraction and not judged as a line. The last attempt that began with the first layer counts, and all
+/// attempts that went on from it: breaches before are dropped, and a layer, or points, that none of them
+/// carved are a breach. After a breach the rule goes on with the next point, so that one lost pulse does not
+/// hide all that follows.
 class PathRule {
 public:
     PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log);
@@ -98,6 +100,12 @@ private:
     void follow_segment(std::int64_t time_ns, const Positions& at);
     void follow_link(std::int64_t time_ns, const Positions& at);
     void follow_approach(std::int64_t time_ns, const Positions& at, bool spindle_on);
+    /// A point in the order of carving.
+    struct Begin {
+        std::uint32_t layer;
+        std::uint32_t step;
+    };
+
     bool is_begin_of(std::uint32_t layer, const Positions& at) const noexcept;
     bool is_first_point(const Positions& at) const noexcept {
         return is_begin_of(geometry_.first_layer(), at);
@@ -105,11 +113,16 @@ private:
     std::optional<std::uint32_t> layer_that_begins(const Positions& at);
     bool may_begin(const Positions& at) const noexcept;
     bool begin_layer(std::int64_t time_ns, const Positions& at);
+    std::optional<std::uint32_t> step_at(std::uint32_t layer, const Positions& at) const noexcept;
+    std::optional<Begin> point_that_begins(const Positions& at) const noexcept;
+    bool is_judged(Begin begin) const noexcept;
+    void forget_from(Begin begin);
     void follow(std::int64_t time_ns, const Positions& positions, bool spindle_on);
     std::uint32_t due_layer() const noexcept;
     bool was_near_first_point() const noexcept;
-    void start(std::uint32_t layer, std::int64_t time_ns, std::int64_t psi_pulses);
+    void start(Begin begin, std::int64_t time_ns, std::int64_t psi_pulses);
     void leave_out(std::int64_t time_ns, std::uint32_t due);
+    void leave_out_points(std::int64_t time_ns, Begin begin, std::uint32_t due);
     void count_point(std::uint32_t layer);
     void end_attempt(std::int64_t time_ns);
     void aim(std::uint32_t layer, std::uint32_t step);
@@ -184,12 +197,15 @@ private:
     Nearest ended_near_;
     std::optional<Positions> ended_on_path_;  ///< position by the trace's count, where it ended between two
                                               ///< points
-    std::vector<std::uint32_t> visited_of_;   ///< points, by layer
-    std::uint64_t visited_ = 0;               ///< in the layers that are to be carved
-    std::uint32_t begun_layer_ = 0;           ///< first layer of the attempt
-    bool is_elsewhere_ = false;               ///< carves layers that are not judged, until the spindle stops
-    std::optional<std::int64_t> begins_y_;    ///< height at which `beginning_` begin
-    std::vector<std::uint32_t> beginning_;    ///< layers
+    std::vector<std::uint32_t> visited_of_;   ///< points, by layer; those that are left out count
+    std::vector<std::uint32_t> visited_before_;  ///< the attempt
+    std::uint64_t visited_ = 0;                  ///< in the layers that are to be carved
+    std::uint32_t begun_layer_ = 0;              ///< first layer of the attempt
+    std::uint32_t begun_step_ = 0;               ///< and which of its points it began with
+    bool has_turned_ = false;                    ///< psi, with the spindle on, outside an attempt
+    bool is_elsewhere_ = false;             ///< carves layers that are not judged, until the spindle stops
+    std::optional<std::int64_t> begins_y_;  ///< height at which `beginning_` begin
+    std::vector<std::uint32_t> beginning_;  ///< layers
     bool has_left_ = false;
     std::int64_t left_ns_ = 0;     ///< when the first point was left
     std::int64_t arrived_ns_ = 0;  ///< when the last point was reached

@@ -21,7 +21,7 @@ struct Verifier::State : PositionJudge {
           pins(profile, log, path.place(), *this),
           first_layer(geometry.first_layer()),
           layer_count(geometry.end_layer() - geometry.first_layer()),
-          is_whole_job(layer_count == geometry.layer_count()),
+          is_whole_job(layer_count == geometry.layer_count() && geometry.first_step(first_layer) == 0),
           points_total(geometry.total_points()) {}
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;

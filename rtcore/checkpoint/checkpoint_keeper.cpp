@@ -43,8 +43,10 @@ std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle:
     if (job == nullptr) return std::nullopt;
     if (!is_carving_of(sample, *job)) return announce(header, sample, *job, most_told);
     is_announced_ = false;
-    if (begun_tick_ != run_start_tick_) begin_run(header, sample.first_layer, *job);
+    if (begun_tick_ != run_start_tick_) begin_run(header, {sample.first_layer, sample.first_step}, *job);
     if (leaves_gap_) return std::nullopt;
+    reached_job_ = job->checksum;
+    reached_points_ = sample.points_done;
     const std::uint64_t layers_done =
         std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
     const auto next_layer =
@@ -72,7 +74,7 @@ std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, co
     if (is_announced_ || sample.is_dry != 0) return std::nullopt;
     const std::uint64_t first_layer = sample.first_layer;
     // A run that begins later continues the known piece, or leaves its record as it is.
-    if (before && first_layer != 0) return std::nullopt;
+    if (before && (first_layer != 0 || sample.first_step != 0)) return std::nullopt;
     if (!before && most_told <= first_layer) return std::nullopt;
     is_announced_ = true;
     if (before) return ToKeep{own(job, 0, before->left_behind()), Keeping::announced};
@@ -120,8 +122,9 @@ void CheckpointKeeper::forget(SegmentHeader& header, const RecordName& record) n
     leaves_gap_ = true;  // the samples of the run that has ended write nothing more
 }
 
-void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t first_layer,
+void CheckpointKeeper::begin_run(const SegmentHeader& header, const RunBegin& begin,
                                  const LoadedJob& job) noexcept {
+    const std::uint64_t first_layer = begin.layer;
     begun_tick_ = run_start_tick_;
     carved_before_ = 0;
     earlier_layer_ = 0;
@@ -130,7 +133,7 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     if (!before)
         return;  // the operator who begins with a later layer has seen that the earlier ones are
                  // carved
-    if (first_layer == 0) {
+    if (first_layer == 0 && begin.step == 0) {
         earlier_layer_ = before->left_behind();
         return;
     }
@@ -139,7 +142,15 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, std::uint64_t firs
     const bool goes_back = before->earlier_layer > before->next_layer && first_layer == before->earlier_layer;
     carved_before_ = goes_back ? before->earlier_layer : before->next_layer;
     earlier_layer_ = goes_back ? 0 : before->earlier_layer;
-    leaves_gap_ = first_layer > carved_before_;
+    leaves_gap_ = first_layer > carved_before_ || (first_layer == carved_before_ && !is_known(begin, job));
+}
+
+/// Whether the piece is carved up to this point of the layer after those that are finished: by what this core
+/// saw itself, since a record has layers alone.
+bool CheckpointKeeper::is_known(const RunBegin& begin, const LoadedJob& job) const noexcept {
+    if (begin.step == 0) return true;
+    return reached_job_ == job.checksum &&
+           begin.layer * job.view.point_count() + begin.step < reached_points_;
 }
 
 void CheckpointKeeper::write_anew(SegmentHeader& header) const noexcept {

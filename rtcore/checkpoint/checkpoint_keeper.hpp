@@ -69,7 +69,13 @@ private:
     std::optional<ToKeep> announce(const SegmentHeader& header, const cycle::Sample& sample,
                                    const LoadedJob& job, std::uint32_t most_told) noexcept;
     bool is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept;
-    void begin_run(const SegmentHeader& header, std::uint64_t first_layer, const LoadedJob& job) noexcept;
+    /// The layer with which a run began, and which of its points, in the order of carving.
+    struct RunBegin {
+        std::uint64_t layer;
+        std::uint64_t step;
+    };
+    void begin_run(const SegmentHeader& header, const RunBegin& begin, const LoadedJob& job) noexcept;
+    bool is_known(const RunBegin& begin, const LoadedJob& job) const noexcept;
 
     bool is_simulator_;
     std::uint64_t run_generation_ = 0;  ///< of the run seen last, and when it was started
@@ -81,6 +87,8 @@ private:
     bool is_announced_ = false;      ///< a run that has not left its first point
     std::uint64_t written_job_ = 0;  ///< generation
     std::optional<Checkpoint> written_;
+    std::uint64_t reached_job_ = 0;     ///< checksum
+    std::uint64_t reached_points_ = 0;  ///< of it, by the last run that left no gap
 };
 
 }  // namespace psicarve::supervisor

@@ -49,7 +49,8 @@ struct Request {
     RequestKind kind;
     std::uint8_t axis;        ///< Axis, for back_off; fail: axes that stand nobody knows where, bit by axis
     std::uint8_t has_sender;  ///< 0: the core's own account; no stop comes between
-    std::uint8_t reserved[5];
+    std::uint8_t runs_back;   ///< job_loaded: 1: odd layers are carved from their last point to their first
+    std::uint8_t reserved[4];
     std::uint64_t value;
     std::uint64_t points_total;
     std::uint64_t points_per_layer;  ///< job_loaded
@@ -77,6 +78,7 @@ enum class Refusal : std::uint8_t {
     bad_rapid_override,  ///< beyond 10 to 100 per cent
     no_program,          ///< none runs
     no_such_layer,
+    no_such_point,     ///< beyond the layer's, or its last
     not_an_arc,        ///< begin and end are not as far from the centre, or it is too small
     recording,         ///< another process has the pins recorded, or nobody can
     heads_not_homed,   ///< psi and y are homed after the heads, or with them
@@ -116,6 +118,7 @@ struct Sample {
     std::uint64_t points_done;
     std::uint64_t points_total;
     std::uint64_t first_layer;  ///< with which the job at hand, or the last, began
+    std::uint64_t first_step;   ///< and with which of that layer's points, in the order of carving
     std::uint64_t job_generation;
     std::uint64_t job_start_tick;
     std::uint64_t carve_first_tick;

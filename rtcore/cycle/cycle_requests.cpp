@@ -136,7 +136,7 @@ Refusal Cycle::load_job(const Request& request) noexcept {
         state_ != MachineState::homing) {
         return Refusal::not_in_this_state;
     }
-    job_.load(request.value, request.points_total, request.points_per_layer);
+    job_.load(request.value, request.points_total, request.points_per_layer, request.runs_back != 0);
     motion_.begin_points(0);
     motion_.set_rapid_ratio(job_.rapid_ratio());
     publisher_.ask(clock_.tick());

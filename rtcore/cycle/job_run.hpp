@@ -12,7 +12,7 @@ namespace psicarve::cycle {
 
 /// The job at hand and the run of its layers: which of them, when each part of the run began and ended, and
 /// in which layer psi was last known to be right. Its figures outlive the run, for the status, until the
-/// next. Thirteen plain figures, all of which the status or the planner shows. RT: yes.
+/// next. Fifteen plain figures, all of which the status or the planner shows. RT: yes.
 class JobRun {
 public:
     /// The layers that an alarm affects. count 0: none.
@@ -21,8 +21,10 @@ public:
         std::uint16_t layer_count;
     };
 
-    /// Requires that no run is under way. Feed and rapid ways are as planned again.
-    void load(std::uint64_t generation, std::uint64_t points_total, std::uint64_t points_per_layer) noexcept;
+    /// Requires that no run is under way. Feed and rapid ways are as planned again. `runs_back`: odd layers
+    /// are carved from their table's last point to its first.
+    void load(std::uint64_t generation, std::uint64_t points_total, std::uint64_t points_per_layer,
+              bool runs_back = false) noexcept;
     /// none: these layers can be run.
     Refusal judge(LayerRange layers) const noexcept;
     /// Requires judge() to say none.
@@ -50,7 +52,7 @@ public:
     Affected affected(std::uint32_t layer) const noexcept;
 
     /// Points of the job before the run's first.
-    std::uint64_t points_before() const noexcept { return first_layer_ * points_per_layer_; }
+    std::uint64_t points_before() const noexcept { return first_layer_ * points_per_layer_ + first_step_; }
     std::uint64_t generation() const noexcept { return generation_; }
     bool is_dry() const noexcept { return is_dry_; }
 
@@ -69,13 +71,17 @@ public:
     void show_in(PlanRequest& request) const noexcept;
 
 private:
+    std::uint64_t first_step_of(const LayerRange& layers) const noexcept;
+
     std::uint64_t generation_ = 0;
     std::uint64_t points_total_ = 0;
     std::uint64_t points_per_layer_ = 0;
     std::uint64_t override_percent_ = kFullFeed_percent;
     std::uint64_t rapid_override_percent_ = kFullFeed_percent;
+    bool runs_back_ = false;
     std::uint64_t first_layer_ = 0;
-    std::uint64_t end_layer_ = 0;  ///< one past the last that is to be carved
+    std::uint64_t first_step_ = 0;  ///< of that layer's points, in the order in which they are carved
+    std::uint64_t end_layer_ = 0;   ///< one past the last that is to be carved
     std::uint32_t index_layer_ =
         0;  ///< in which psi last was where its index says; the first, if in none yet
     bool is_dry_ = false;

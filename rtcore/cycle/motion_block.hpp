@@ -138,8 +138,8 @@ using BlockRing = SpscRing<MotionBlock, kBlockRingEntries>;
 enum class PlanKind : std::uint8_t {
     home,          ///< `axis`: those to home, bit by axis
     reset_height,  ///< Y to its sensor
-    position,      ///< from anywhere to the job's first point, spindle up
-    carve,         ///< from the first layer's first point to the last layer's last
+    position,      ///< from anywhere to the run's first point, spindle up
+    carve,         ///< from that point to the last layer's last
     finish,        ///< heads out, spindle off; also after a stop
     back_off,      ///< `axis` away from its tripped sensor
     move,          ///< a jog or a move: `order`, from rest to rest
@@ -154,6 +154,7 @@ struct PlanRequest {
     std::array<std::int64_t, kAxisCount> position_pulses;
     std::uint64_t job_generation;
     std::uint64_t first_layer;  ///< position, carve: the layer to begin with
+    std::uint64_t first_step;   ///< and which of its points, in the order in which they are carved
     std::uint64_t end_layer;    ///< carve: one past the last
     std::uint8_t is_dry;        ///< position: heads stay outside, spindle off
     std::uint8_t is_single;     ///< program: a halt after each of its blocks

@@ -69,7 +69,10 @@ void add_start(JournalFacts& facts, const Command& command) {
     } else {
         facts.add("first_layer", as_sent(command.value));
     }
-    if (command.value2 != 0) facts.add("layers", signed_of(command.value2));
+    if (const std::uint32_t number = start_point_number(command); number != 0)
+        facts.add("first_point", std::int64_t{number} - 1);
+    if (const std::uint32_t count = start_layers(command); count != 0)
+        facts.add("layers", std::int64_t{count});
     if ((command.axis & kStartsDry) != 0) facts.add("dry", std::int64_t{1});
 }
 

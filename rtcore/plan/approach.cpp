@@ -29,8 +29,8 @@ Pulses4 heads_way(const Pulses4& from, const Pulses4& to, bool outwards) {
     return way;
 }
 
-Pulses4 first_point(const JobView& job, std::uint32_t layer) {
-    const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, 0);
+Pulses4 first_point(const JobView& job, std::uint32_t layer, std::uint32_t step = 0) {
+    const std::uint32_t point = carved_point(job.joining(), job.point_count(), layer, step);
     return {job.r_left_pulses(layer)[point], job.r_right_pulses(layer)[point], job.psi_pulses(layer, point),
             job.y_pulses(layer, point)};
 }
@@ -63,8 +63,9 @@ void add_way_outside(BlockList& list, const MachineLimits& limits, Pulses4 from,
     list.move(heads_way(from, outside, false));
 }
 
-void add_arrival(BlockList& list, const MachineLimits& limits, const JobView& job, std::uint32_t layer) {
-    list.reach(layer, carved_point(job.joining(), job.point_count(), layer, 0));
+void add_arrival(BlockList& list, const MachineLimits& limits, const JobView& job, std::uint32_t layer,
+                 std::uint32_t step) {
+    list.reach(layer, carved_point(job.joining(), job.point_count(), layer, step));
     // The carving may begin at once, and outwards.
     list.dwell(limits.rest_ticks);
     list.end();
@@ -84,9 +85,10 @@ MachineLimits limits_for(MachineLimits limits, const JobView& job) {
 }
 
 std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, const JobView& job,
-                                                const Pulses4& from_pulses, std::uint32_t layer) {
+                                                const Pulses4& from_pulses, std::uint32_t layer,
+                                                std::uint32_t step) {
     const Pulses4 outside = outside_of(limits, job);
-    const Pulses4 first = first_point(job, layer);
+    const Pulses4 first = first_point(job, layer, step);
     BlockList list(limits);
     add_way_outside(list, limits, from_pulses, outside, first);
     list.outputs(kAllDrives, Spindle::on);
@@ -94,15 +96,16 @@ std::vector<cycle::MotionBlock> approach_blocks(const MachineLimits& limits, con
     Pulses4 plunge{};
     for (std::size_t k = 0; k < kHeads; ++k) plunge[k] = first[k] - outside[k];
     list.move(plunge, heads_at(limits, limits.plunge_mm_s));
-    add_arrival(list, limits, job, layer);
+    add_arrival(list, limits, job, layer, step);
     return std::move(list.blocks());
 }
 
 std::vector<cycle::MotionBlock> dry_approach_blocks(const MachineLimits& limits, const JobView& job,
-                                                    const Pulses4& from_pulses, std::uint32_t layer) {
+                                                    const Pulses4& from_pulses, std::uint32_t layer,
+                                                    std::uint32_t step) {
     BlockList list(limits);
-    add_way_outside(list, limits, from_pulses, outside_of(limits, job), first_point(job, layer));
-    add_arrival(list, limits, job, layer);
+    add_way_outside(list, limits, from_pulses, outside_of(limits, job), first_point(job, layer, step));
+    add_arrival(list, limits, job, layer, step);
     return std::move(list.blocks());
 }
 

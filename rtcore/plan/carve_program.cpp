@@ -14,7 +14,7 @@ using cycle::BlockKind;
 using cycle::MotionBlock;
 
 CarveProgram::CarveProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers)
-    : TableProgram(limits, std::move(job), layers), at_pulses_(point_at(layers.first, 0)) {}
+    : TableProgram(limits, std::move(job), layers), at_pulses_(point_at(layers.first, layers.first_step)) {}
 
 void CarveProgram::make_layers() {
     if (layer_ > first_layer_ && begins_pass()) {
@@ -40,7 +40,8 @@ void CarveProgram::add_link_to_layer() {
 }
 
 void CarveProgram::make_lines() {
-    for (std::uint32_t step = 1; step < job_->point_count(); ++step) {
+    const std::uint32_t begin = layer_ == first_layer_ ? first_step_ : 0;
+    for (std::uint32_t step = begin + 1; step < job_->point_count(); ++step) {
         const Pulses4 to = point_at(layer_, step);
         TableLine line{};
         for (std::size_t k = 0; k < kAxisCount; ++k) line.delta_pulses[k] = to[k] - at_pulses_[k];

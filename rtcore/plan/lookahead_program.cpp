@@ -23,7 +23,7 @@ constexpr std::array kLinkParts{1, 3};
 LookaheadProgram::LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job,
                                    LayerSpan layers)
     : TableProgram(limits, std::move(job), layers), stretches_(limits_) {
-    planned_.is_reference = first_layer_ == 0 && end_layer_ == job_->layer_count();
+    planned_.is_reference = first_layer_ == 0 && first_step_ == 0 && end_layer_ == job_->layer_count();
     if (is_spiral()) layer_ -= (first_layer_ - job_->finishing_layer()) % layers_at_once();
 }
 
@@ -44,7 +44,7 @@ void LookaheadProgram::make_layers() {
         gather_layer();
     }
     add_stretches(!has_before ? 0 : has_way ? first_of_layer_ : 1, points_.size() - (has_after ? 2 : 1));
-    if (first < first_layer_) begin_in_between();
+    if (first < first_layer_ || (first == first_layer_ && first_step_ > 0)) begin_in_between();
     if (end > end_layer_) end_in_between();
     layer_ = end;
 }
@@ -150,14 +150,16 @@ void LookaheadProgram::add_block(const PathPiece& piece) {
     }
 }
 
-// The rows made at once begin further down than the carving does: what leads up to there is left out.
+// The layer, or the rows made at once, begin further down than the carving does: what leads up to there is
+// left out.
 void LookaheadProgram::begin_in_between() {
+    const std::uint32_t point = carved_point(job_->joining(), job_->point_count(), first_layer_, first_step_);
     auto run = blocks_.begin();
     auto first = blocks_.begin();
     for (;; ++first) {
         if (first->group_blocks > 0) run = first;
         planned_.points -= first->reaches_points;
-        if (first->reaches_points == 2 && first->layer == first_layer_) break;
+        if (first->reaches_points > 0 && first->layer == first_layer_ && first->point == point) break;
     }
     const auto left = static_cast<std::uint32_t>(run->group_blocks - (first + 1 - run));
     blocks_.erase(blocks_.begin(), first + 1);

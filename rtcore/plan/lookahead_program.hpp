@@ -16,9 +16,9 @@
 namespace psicarve::plan {
 
 /// A whole table by look-ahead: a smooth curve through its points, timed as fast as the motors follow. A
-/// layer is made with the way from the layer before. Of a spiral so many rows are made at once, counted from
-/// row 0 wherever the carving begins: so the cuts, and the order of all pulses, do not depend on where that
-/// is, nor on where it ends.
+/// layer is made with the way from the layer before, and whole, wherever in it the carving begins. Of a
+/// spiral so many rows are made at once, counted from row 0 wherever the carving begins: so the cuts, and the
+/// order of all pulses, do not depend on where that is, nor on where it ends.
 class LookaheadProgram final : public TableProgram {
 public:
     LookaheadProgram(const MachineLimits& limits, std::shared_ptr<const JobView> job, LayerSpan layers = {});

@@ -97,6 +97,7 @@ void Planner::take_requests() {
 
 std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     const auto first_layer = static_cast<std::uint32_t>(request.first_layer);
+    const auto first_step = static_cast<std::uint32_t>(request.first_step);
     const auto list = [](std::vector<MotionBlock> blocks) {
         return std::make_unique<ListProgram>(std::move(blocks));
     };
@@ -118,7 +119,7 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
         case PlanKind::position:
             if (job_ == nullptr) return nullptr;
             return list((request.is_dry != 0 ? dry_approach_blocks : approach_blocks)(
-                limits_, *job_, request.position_pulses, first_layer));
+                limits_, *job_, request.position_pulses, first_layer, first_step));
         case PlanKind::program:
             return program_of_records(request);
         case PlanKind::carve:
@@ -126,7 +127,7 @@ std::unique_ptr<Program> Planner::program_for(const PlanRequest& request) {
     }
     if (job_ == nullptr) return nullptr;
     reference_seconds_.store(-1.0, std::memory_order_relaxed);
-    const LayerSpan layers{first_layer, static_cast<std::uint32_t>(request.end_layer)};
+    const LayerSpan layers{first_layer, static_cast<std::uint32_t>(request.end_layer), first_step};
     points_total_.store(std::uint64_t{layers.end} * job_->point_count(), std::memory_order_relaxed);
     return carving_of(limits_, job_, layers);
 }

@@ -40,6 +40,7 @@ TableProgram::TableProgram(const MachineLimits& limits, std::shared_ptr<const Jo
     : limits_(limits_of_job(limits, *job)),
       job_(std::move(job)),
       first_layer_(layers.first),
+      first_step_(layers.first_step),
       end_layer_(std::min(layers.end, job_->layer_count())),
       layer_(layers.first),
       times_(limits_) {}

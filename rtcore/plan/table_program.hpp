@@ -19,6 +19,7 @@ inline constexpr std::uint32_t kLastLayer = ~std::uint32_t{0};
 struct LayerSpan {
     std::uint32_t first = 0;
     std::uint32_t end = kLastLayer;
+    std::uint32_t first_step = 0;  ///< point of `first` that is begun with, in the order of carving
 };
 
 /// The machine's limits for a job: its own feed, where it has one, and where heads are outside in it.
@@ -33,7 +34,7 @@ inline bool is_spiral_row(const JobView& job, std::uint32_t layer) {
 /// begins as fast as the one before it ended.
 std::uint32_t layers_at_once(const JobView& job, std::uint32_t layer);
 
-/// A table or some of its layers, from a layer's first point (where the machine stands) to the last layer's
+/// A table or some of its layers, from a point of a layer (where the machine stands) to the last layer's
 /// last point; how, is for the planners that derive from it to say. Makes few layers' blocks at a time.
 class TableProgram : public Program {
 public:
@@ -59,8 +60,9 @@ protected:
     MachineLimits limits_;
     std::shared_ptr<const JobView> job_;
     std::uint32_t first_layer_;
-    std::uint32_t end_layer_;  ///< one past the last that is carved
-    std::uint32_t layer_;      ///< the next one to make
+    std::uint32_t first_step_;  ///< of that layer; its last is none
+    std::uint32_t end_layer_;   ///< one past the last that is carved
+    std::uint32_t layer_;       ///< the next one to make
     std::vector<cycle::MotionBlock> blocks_;
     PlannedSoFar planned_;
 

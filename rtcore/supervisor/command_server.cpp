@@ -114,7 +114,9 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
     request->sequence = ++last_sequence_;
     listener_->note_stops_seen(received, *request);
     requests.push(*request);
-    waiting_.push_back({request->sequence, received, job != nullptr ? job->view.layer_count() : 0});
+    const JobCounts of_job =
+        job != nullptr ? JobCounts{job->view.layer_count(), job->view.point_count()} : JobCounts{};
+    waiting_.push_back({request->sequence, received, of_job});
 }
 
 Message CommandServer::try_to_forget(Segment& segment, const Command& command, const cycle::Sample& sample) {
@@ -143,7 +145,7 @@ void CommandServer::deliver_answer(Segment& segment, const cycle::Report& report
     if (command.kind == CommandKind::program && opened_taker_) opened_taker_(command.value2, is_done);
     answer(segment, found->received, is_done ? AnswerKind::done : AnswerKind::refused,
            is_done ? speed_remark(command, *profile_)
-                   : refusal_message(report, command.kind, sample, *profile_, found->layer_count));
+                   : refusal_message(report, command.kind, sample, *profile_, found->of_job));
     waiting_.erase(found);
 }
 

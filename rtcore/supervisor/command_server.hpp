@@ -10,6 +10,7 @@
 #include "rtcore/checkpoint/piece_memory.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
 #include "rtcore/job/loaded_job.hpp"
+#include "rtcore/supervisor/refusal_message.hpp"
 #include "rtcore/supervisor/stop_listener.hpp"
 #include "shared/base/result.hpp"
 #include "shared/message/message.hpp"
@@ -91,7 +92,7 @@ private:
     struct Waiting {
         std::uint64_t sequence;  ///< ours: what a sender wrote is not trusted to be unique
         ReceivedCommand received;
-        std::uint32_t layer_count;  ///< of the job that a start would find
+        JobCounts of_job;  ///< that a start would find
     };
     std::vector<Waiting> waiting_;  ///< handed to the tick, not answered yet
     std::uint64_t last_sequence_ = 0;

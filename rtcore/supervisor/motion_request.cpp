@@ -129,17 +129,23 @@ Result<void> add_move(Request& request, const Command& command, const Profile& p
 
 static_assert(cycle::packed(cycle::LayerRange{0, 0, true}) == kRecordedDryRun,
               "readers of the flight recorder look there");
-static_assert((cycle::packed(cycle::LayerRange{7, 3, true}) & kRecordedFirstLayer) == 7,
+static_assert((cycle::packed(cycle::LayerRange{7, 3, true, ~0U}) & kRecordedFirstLayer) == 7,
               "readers of the flight recorder look there");
+static_assert(cycle::packed(cycle::LayerRange{0, 0, false, ~0U}) == kRecordedFirstPoint,
+              "readers of the flight recorder look there");
+static_assert(cycle::kMostOfRange >= kMaxJobCount);
 
 Result<void> add_layers(Request& request, const Command& command) {
     const bool is_layer = command.value >= 0.0 && command.value < kMaxJobCount;
     const std::uint32_t first = is_layer ? static_cast<std::uint32_t>(command.value) : 0;
     if (!is_layer || static_cast<double>(first) != command.value)
         return refused(message_of(MessageId::layers_not_whole));
-    if (command.value2 > kMaxJobCount) return refused(message_of(MessageId::no_such_first_layer));
-    request.value = cycle::packed(cycle::LayerRange{first, static_cast<std::uint32_t>(command.value2),
-                                                    (command.axis & kStartsDry) != 0});
+    const std::uint32_t count = start_layers(command);
+    const std::uint32_t point_number = start_point_number(command);
+    if (count > kMaxJobCount || point_number > kMaxJobCount)
+        return refused(message_of(MessageId::no_such_first_layer));
+    request.value =
+        cycle::packed(cycle::LayerRange{first, count, (command.axis & kStartsDry) != 0, point_number});
     return {};
 }
 

@@ -44,7 +44,7 @@ Message state_message(CommandKind command, MachineState state) {
 }  // namespace
 
 Message refusal_message(const cycle::Report& answer, CommandKind command, const cycle::Sample& sample,
-                        const Profile& profile, std::uint32_t layer_count) {
+                        const Profile& profile, JobCounts of_job) {
     using R = cycle::Refusal;
     switch (answer.refusal) {
         case R::none:
@@ -71,7 +71,9 @@ Message refusal_message(const cycle::Report& answer, CommandKind command, const 
         case R::at_the_end:
             return limit_message(answer, command, profile);
         case R::no_such_layer:
-            return message_of(MessageId::no_such_layer, count_argument(layer_count));
+            return message_of(MessageId::no_such_layer, count_argument(of_job.layers));
+        case R::no_such_point:
+            return message_of(MessageId::no_such_point, count_argument(of_job.points));
         case R::recording:
             return message_of(MessageId::recording_taken);
         case R::heads_not_homed:

@@ -10,8 +10,13 @@
 
 namespace psicarve::supervisor {
 
-/// Why a command was refused; none: it was not. `layer_count`: of the job that the tick looked at.
+struct JobCounts {
+    std::uint32_t layers = 0;
+    std::uint32_t points = 0;  ///< in a layer
+};
+
+/// Why a command was refused; none: it was not. `of_job`: the one that the tick looked at.
 Message refusal_message(const cycle::Report& answer, CommandKind command, const cycle::Sample& sample,
-                        const Profile& profile, std::uint32_t layer_count);
+                        const Profile& profile, JobCounts of_job);
 
 }  // namespace psicarve::supervisor

@@ -203,6 +203,7 @@ void Supervisor::offer_job(std::shared_ptr<const LoadedJob> job) {
     request.value = loading_job_->generation;
     request.points_total = std::uint64_t{loading_job_->view.layer_count()} * loading_job_->view.point_count();
     request.points_per_layer = loading_job_->view.point_count();
+    request.runs_back = loading_job_->view.joining() == Joining::zigzag ? 1 : 0;
     parts_->io->requests.push(request);
 }
 

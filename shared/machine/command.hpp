@@ -17,7 +17,8 @@ enum class CommandKind : std::uint32_t {
     none = 0,
     home = 1,   ///< axis: those to home, bit by axis; 0: all
     start = 2,  ///< drives on, spindle on, heads to the first point, wait there. value: the first
-                ///< layer; value2: so many layers, 0: all that follow; axis: kStart... bits
+                ///< layer; value2: so many layers, 0: all that follow, and the point (set_start_point);
+                ///< axis: kStart... bits
     start_interpolation = 3,  ///< carve the published tables
     hold = 4,
     resume = 5,
@@ -79,6 +80,19 @@ struct Command {
     std::uint32_t reserved = 0;
 };
 static_assert(sizeof(Command) == 112 && std::is_trivially_copyable_v<Command>, "bump kLayoutVersion");
+
+/// Of a start, in the high half of value2: 0: from the first layer's begin; else one more than the point of
+/// that layer's table, as the status counts points.
+constexpr std::uint32_t start_point_number(const Command& command) noexcept {
+    return static_cast<std::uint32_t>(command.value2 >> 32U);
+}
+constexpr std::uint32_t start_layers(const Command& command) noexcept {
+    return static_cast<std::uint32_t>(command.value2);
+}
+/// Requires a point of the layer's table, and value2 to be no more than a number of layers.
+constexpr void set_start_point(Command& command, std::uint32_t point) noexcept {
+    command.value2 |= (std::uint64_t{point} + 1) << 32U;
+}
 
 enum class AnswerKind : std::uint32_t { none = 0, done = 1, refused = 2 };
 

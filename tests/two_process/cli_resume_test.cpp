@@ -46,6 +46,41 @@ TEST_F(ResumeCommand, ResumesBehindTheLastFinishedLayer) {
     EXPECT_EQ(run({"status", "--json"}).json()["layer"], 2);
 }
 
+TEST_F(ResumeCommand, GoesOnWithinALayerWhereItIsToldTo) {
+    start_core();
+    ASSERT_EQ(run({"publish", sliced_box("5", "9")}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    for (const char* point : {"8", "9", "999999"}) {
+        const Outcome beyond = run({"start", "--from-layer", "2", "--from-point", point});
+        EXPECT_EQ(beyond.exit_code, 4) << point;
+        EXPECT_NE(beyond.error.find("a layer has 9 points"), std::string::npos) << beyond.error;
+    }
+    EXPECT_EQ(run({"start", "--from-layer", "2", "--from-point", "1000000"}).exit_code, 2);
+    EXPECT_EQ(run({"start", "--resume", "--from-point", "2"}).exit_code, 2);
+    ASSERT_EQ(run({"start", "--from-point", "4"}).exit_code, 0);
+    EXPECT_EQ(status().layer, 0U) << "without a layer it is the first";
+    EXPECT_EQ(status().point, 4U);
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    ASSERT_EQ(run({"start", "--from-layer", "2", "--from-point", "5"}).exit_code, 0);
+    EXPECT_EQ(status().layer, 2U);
+    EXPECT_EQ(status().point, 5U);
+    EXPECT_EQ(status().points_done, 2U * 9U + 6U);
+    ASSERT_EQ(run({"start-interpolation"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().points_done == 5U * 9U; }));
+    ASSERT_TRUE(reaches(MachineState::ready));
+    ASSERT_EQ(run({"snapshot", "save", file("a.snap")}).exit_code, 0);
+    // The same again from the flight recorder, judged by its pins.
+    (void)run({"replay", file("a.snap"), "--trace", file("a.trace")});
+    const Outcome judged =
+        run({"verify", file("a.trace"), "--from-layer", "2", "--from-point", "5", "--json"});
+    EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.error;
+    EXPECT_EQ(judged.json()["points_visited"], 3 * 9 - 5);
+    const Outcome earlier = run({"verify", file("a.trace"), "--from-layer", "2", "--from-point", "4"});
+    EXPECT_EQ(earlier.exit_code, 6);
+    EXPECT_NE(earlier.out.find("behind 5 points of layer 2"), std::string::npos) << earlier.out;
+}
+
 TEST_F(ResumeCommand, ADryRunCarvesNothingAndLeavesNoCheckpoint) {
     start_core();
     ASSERT_EQ(run({"publish", sliced_box("5", "9")}).exit_code, 0);

@@ -141,6 +141,88 @@ TEST_P(Attempts, AreAnsweredForByWhatGoesOnFromThem) {
     EXPECT_TRUE(verified(job, again).ok) << report_text(verified(job, again));
 }
 
+constexpr std::uint32_t kStopped = kPointsALayer / 2 - 1;  ///< step in which carve_into() ends
+
+/// From a point within a layer to the job's end.
+void carve_from(PerfectMachine& machine, const SampleJob& job, std::uint32_t first, std::uint32_t begin) {
+    for (const Axis head : {Axis::r1, Axis::r2}) {
+        const std::int64_t way = job.view().max_radius_pulses(head) - machine.position[index_of(head)];
+        machine.move(head, std::max<std::int64_t>(way, 0));
+    }
+    machine.approach(first, begin);
+    for (std::uint32_t step = begin + 1; step < kPointsALayer; ++step) machine.to_point(first, step);
+    for (std::uint32_t layer = first + 1; layer < kLayers; ++layer) {
+        if (!job.view().is_joint(layer, 0)) machine.link_to(layer);
+        machine.layer(layer);
+    }
+    machine.finish();
+}
+
+TEST_P(Attempts, FromAPointOnAreJudgedWhenThatWasAskedFor) {
+    const SampleJob job = wavy_job(GetParam());
+    for (const std::uint32_t layer : {0U, 1U, 3U}) {
+        for (const std::uint32_t step : {1U, 2U, 9U, kPointsALayer - 2}) {
+            PerfectMachine machine(job);
+            carve_from(machine, job, layer, step);
+            const LayerRange range{layer, 0, carved_point(GetParam(), kPointsALayer, layer, step)};
+            const VerifyReport report = verified(job, machine, range);
+            EXPECT_TRUE(report.ok) << layer << " " << step << "\n" << report_text(report);
+            EXPECT_EQ(report.points_visited, (kLayers - layer) * kPointsALayer - step);
+            EXPECT_EQ(report.max_deviation_pulses, 0);
+            EXPECT_FALSE(verified(job, machine).ok) << "the points before it were not carved";
+        }
+    }
+}
+
+TEST_P(Attempts, ThatBeginOnePointLateSaySo) {
+    const SampleJob job = wavy_job(GetParam());
+    const LayerRange range{1, 0, carved_point(GetParam(), kPointsALayer, 1, 7)};
+    PerfectMachine late(job);
+    carve_from(late, job, 1, 8);
+    const VerifyReport report = verified(job, late, range);
+    EXPECT_EQ(first_of(report, 1).fault, "points-left-out") << report_text(report);
+    EXPECT_EQ(first_of(report, 1).measured, 8.0);
+    EXPECT_EQ(first_of(report, 1).allowed, 7.0);
+    PerfectMachine early(job);
+    carve_from(early, job, 1, 6);
+    // What lies before is not judged; but amid a spiral no attempt begins.
+    EXPECT_EQ(verified(job, early, range).ok, GetParam() != Joining::spiral);
+}
+
+TEST_P(Attempts, GoOnWithinTheLayer) {
+    const SampleJob job = wavy_job(GetParam());
+    for (const std::uint32_t step : {1U, kStopped - 1, kStopped}) {
+        PerfectMachine machine(job);
+        carve_into(machine, job, 2);
+        carve_from(machine, job, 2, step);
+        const VerifyReport report = verified(job, machine);
+        EXPECT_TRUE(report.ok) << step << "\n" << report_text(report);
+        EXPECT_EQ(report.points_visited, report.points_total);
+        EXPECT_EQ(report.max_deviation_pulses, 0);
+    }
+}
+
+TEST_P(Attempts, GoOnWithinTheLayerButNotBeyondWhatWasCarvedOfIt) {
+    const SampleJob job = wavy_job(GetParam());
+    PerfectMachine machine(job);
+    carve_into(machine, job, 2);
+    carve_from(machine, job, 2, kStopped + 1);
+    const VerifyReport report = verified(job, machine);
+    EXPECT_FALSE(report.ok);
+    EXPECT_EQ(first_of(report, 1).fault, "points-left-out") << report_text(report);
+    EXPECT_EQ(first_of(report, 1).allowed, kStopped + 1.0);
+}
+
+TEST_P(Attempts, WithinALayerAreJudgedAllAlong) {
+    const SampleJob job = wavy_job(GetParam());
+    PerfectMachine machine(job);
+    carve_into(machine, job, 2);
+    carve_from(machine, job, 2, kStopped);
+    const std::size_t all = pulses_before(machine, Axis::psi);
+    drop_pulse(machine, Axis::psi, all - 20);
+    EXPECT_GT(verified(job, machine).rules[0].offences, 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Verify, Attempts,
                          ::testing::Values(Joining::continuous, Joining::zigzag, Joining::spiral),
                          [](const auto& named) { return "Case" + std::to_string(named.index); });
@@ -150,6 +232,16 @@ TEST(LayerRange, OfALayerThatTheJobHasNotAreRefused) {
     const auto refused = Verifier::make(job.view(), job.profile, {4, 0});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("none is 4"), std::string::npos) << refused.error().message;
+}
+
+TEST(LayerRange, OfAPointThatNoCarvingBeginsWithAreRefused) {
+    const SampleJob zigzag = wavy_job(Joining::zigzag);
+    for (const LayerRange& range :
+         {LayerRange{1, 0, kPointsALayer}, LayerRange{1, 0, 0}, LayerRange{0, 0, kPointsALayer - 1}}) {
+        const auto refused = Verifier::make(zigzag.view(), zigzag.profile, range);
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().message.find("21 points"), std::string::npos) << refused.error().message;
+    }
 }
 
 }  // namespace

@@ -159,9 +159,9 @@ PerfectMachine& PerfectMachine::line(const Four& delta) {
     return *this;
 }
 
-PerfectMachine& PerfectMachine::approach(std::uint32_t layer) {
+PerfectMachine& PerfectMachine::approach(std::uint32_t layer, std::uint32_t step) {
     for (const Axis axis : kAllAxes) set(enable_of(axis), true);
-    const std::uint32_t first = carved_point(view_.joining(), view_.point_count(), layer, 0);
+    const std::uint32_t first = carved_point(view_.joining(), view_.point_count(), layer, step);
     move(Axis::psi, view_.psi_pulses(layer, first) - position[index_of(Axis::psi)]);
     move(Axis::y, view_.y_pulses(layer, first) - position[index_of(Axis::y)]);
     set(Signal::spindle, true);

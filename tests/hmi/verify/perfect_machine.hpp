@@ -46,7 +46,8 @@ public:
     PerfectMachine& carve_job();
 
     // The parts, for tests that put them together otherwise:
-    PerfectMachine& approach(std::uint32_t layer = 0);  ///< up to its first point, spindle on
+    PerfectMachine& approach(std::uint32_t layer = 0,
+                             std::uint32_t step = 0);  ///< up to that point, spindle on
     PerfectMachine& to_point(std::uint32_t layer,
                              std::uint32_t step);  ///< straight, from a point of that layer
     PerfectMachine& link_to(std::uint32_t layer);  ///< outward, Y, inward

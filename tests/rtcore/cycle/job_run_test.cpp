@@ -43,6 +43,34 @@ TEST(JobRun, RunsLayersThatTheJobHasAndNoOthers) {
     EXPECT_EQ(sut.judge({.first = 1, .count = 0x7FFF'FFFF}), Refusal::no_such_layer);
 }
 
+TEST(JobRun, BeginsWithAnyPointOfALayerButItsLast) {
+    JobRun sut = loaded_run();
+    EXPECT_EQ(sut.judge({.first = 3, .point_number = 1}), Refusal::none);
+    EXPECT_EQ(sut.judge({.first = 3, .point_number = kPointsPerLayer - 1}), Refusal::none);
+    EXPECT_EQ(sut.judge({.first = 3, .point_number = kPointsPerLayer}), Refusal::no_such_point);
+    EXPECT_EQ(sut.judge({.first = 3, .point_number = kPointsPerLayer + 1}), Refusal::no_such_point);
+    EXPECT_EQ(sut.judge({.first = 8, .point_number = 1}), Refusal::no_such_layer);
+    sut.begin({.first = 3, .point_number = 41}, 1000);
+    EXPECT_EQ(sut.points_before(), 3 * kPointsPerLayer + 40);
+    EXPECT_EQ(shown<PlanRequest>(sut).first_step, 40U);
+    EXPECT_EQ(shown<Sample>(sut).first_step, 40U);
+    sut.begin({.first = 3}, 2000);
+    EXPECT_EQ(sut.points_before(), 3 * kPointsPerLayer);
+}
+
+TEST(JobRun, CountsThePointsOfALayerThatRunsBackFromItsEnd) {
+    JobRun sut;
+    sut.load(7, kLayers * kPointsPerLayer, kPointsPerLayer, /*runs_back=*/true);
+    EXPECT_EQ(sut.judge({.first = 3, .point_number = 1}), Refusal::no_such_point) << "it is carved last";
+    EXPECT_EQ(sut.judge({.first = 3, .point_number = kPointsPerLayer}), Refusal::none);
+    sut.begin({.first = 3, .point_number = 41}, 1000);
+    EXPECT_EQ(sut.points_before(), 3 * kPointsPerLayer + 59);
+    sut.begin({.first = 2, .point_number = 41}, 1000);
+    EXPECT_EQ(sut.points_before(), 2 * kPointsPerLayer + 40);
+    sut.begin({.first = 3}, 1000);
+    EXPECT_EQ(sut.points_before(), 3 * kPointsPerLayer);
+}
+
 TEST(JobRun, TellsThePlannerWhichLayers) {
     JobRun sut = loaded_run();
     sut.begin({.first = 2, .count = 3, .is_dry = true}, 1000);

@@ -97,6 +97,7 @@ void MachineRig::load(const JobTable& table) {
     request.value = 1;
     request.points_total = std::uint64_t{table.layer_count} * table.point_count;
     request.points_per_layer = table.point_count;
+    request.runs_back = table.joining == Joining::zigzag ? 1 : 0;
     io->requests.push(request);
     tick();
 }

@@ -256,6 +256,25 @@ TEST_F(PieceMemoryTest, TakesNothingThatIsAnotherSegmentsOrTheOtherMachines) {
     }
 }
 
+TEST_F(PieceMemoryTest, GoesOnWithinALayerOnlyWhereItSawItCarvedSoFar) {
+    const std::uint64_t points = vase_->view.point_count();
+    PieceMemory sut{place()};
+    std::uint64_t tick = 0;
+    const auto carve = [&](std::uint64_t layer, std::uint64_t step, std::uint64_t points_done) {
+        cycle::Sample sample = carving_from(layer, MachineState::carving);
+        sample.first_step = step;
+        sample.job_start_tick = tick += 100;
+        sample.carve_first_tick = tick + 1;
+        sample.points_done = points_done;
+        sut.note(*header_, sample, vase_);
+        return in_segment().next_layer;
+    };
+    EXPECT_EQ(carve(0, 0, points + 2), 1U);
+    EXPECT_EQ(carve(1, 2, 2 * points), 1U) << "its third point was never reached";
+    EXPECT_EQ(carve(1, 1, 2 * points), 2U) << "its second was";
+    EXPECT_EQ(carve(2, 1, 3 * points), 2U) << "of the layer after nothing is carved";
+}
+
 TEST_F(PieceMemoryTest, SaysThatThePieceWasBegunWithAnotherProfile) {
     leave_on_disk(2);
     CheckpointPlace other = place();

@@ -14,7 +14,7 @@ TEST(RefusalMessage, NamesTheSwitchesThatAreStillTrippedOrSaysThatNoneIs) {
     answer.refusal = cycle::Refusal::still_tripped;
     cycle::Sample sample{};
     const auto said = [&] {
-        return in_words(refusal_message(answer, CommandKind::reset_alarm, sample, Profile{}, 0));
+        return in_words(refusal_message(answer, CommandKind::reset_alarm, sample, Profile{}, {}));
     };
     EXPECT_EQ(said(), "a switch was tripped until just now; try again");
     sample.signals = bit_of(Signal::r2_limit);
@@ -24,7 +24,7 @@ TEST(RefusalMessage, NamesTheSwitchesThatAreStillTrippedOrSaysThatNoneIs) {
 TEST(RefusalMessage, SaysThatAStopCameAfterTheCommand) {
     cycle::Report answer{};
     answer.refusal = cycle::Refusal::overtaken;
-    EXPECT_EQ(in_words(refusal_message(answer, CommandKind::reset_alarm, {}, Profile{}, 0)),
+    EXPECT_EQ(in_words(refusal_message(answer, CommandKind::reset_alarm, {}, Profile{}, {})),
               "reset-alarm: a stop came after it; ask again");
 }
 

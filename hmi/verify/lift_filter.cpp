@@ -67,6 +67,12 @@ bool LiftFilter::went_together() const noexcept {
     return least_share <= most_share;
 }
 
+// A stop broke it off on its way back: the heads went out from there, and the spindle has stopped.
+bool LiftFilter::ends_within_lift(const Instant& instant) {
+    return base_.spindle_on && !instant.spindle_on && is_outside_of(instant.positions, base_.positions) &&
+           is_objected_to();
+}
+
 bool LiftFilter::is_objected_to() {
     return path_.objects_to([this](PathRule& trial) {
         for (const Instant& instant : held_)
@@ -93,7 +99,7 @@ void LiftFilter::take(const Instant& instant) {
         }
         const bool was_lift = is_back() && instant.time_ns - held_.back().time_ns >= kLeastRest_ns &&
                               went_together() && is_objected_to();
-        if (!was_lift) return look_again(instant);
+        if (!was_lift && !ends_within_lift(instant)) return look_again(instant);
         held_.clear();
     }
     const bool may_be_lift = instant.time_ns - last_.time_ns >= kLeastRest_ns &&

@@ -13,8 +13,9 @@ namespace psicarve::verify {
 
 /// Stands before rule 1 and hides from it the lift that a hold makes on a machine that lifts its heads then:
 /// after a rest both heads go outwards together, table and Y still, come back to the very pulse, and rest
-/// again. Slow carving over a crest looks the same: so the filter hides only motion that rule 1 would object
-/// to, and hands on unchanged whatever is not exactly such a lift.
+/// again, or where a stop ended that, are still outside when the spindle stops. Slow carving over a crest
+/// looks the same: so the filter hides only motion that rule 1 would object to, and hands on unchanged
+/// whatever is not exactly such a lift.
 class LiftFilter {
 public:
     /// On a machine that does not lift, all is handed on.
@@ -35,6 +36,7 @@ private:
     bool goes_on_with_lift(const Instant& instant) const noexcept;
     bool is_back() const noexcept { return held_.back().positions == base_.positions; }
     bool went_together() const noexcept;
+    bool ends_within_lift(const Instant& instant);
     bool is_objected_to();
     void take(const Instant& instant);
     void look_again(const Instant& instant);

@@ -189,6 +189,7 @@ void PathRule::start(Begin begin, std::int64_t time_ns, std::int64_t psi_pulses)
     has_left_ = false;
     is_complete_ = false;
     ended_at_.reset();
+    on_path_.reset();
     pass_ended_ns_.clear();
     retraction_ = {};
     too_deep_in_link_.clear();
@@ -212,8 +213,7 @@ void PathRule::end_attempt(std::int64_t time_ns) {
         ended_near_ = near_;
         ended_ns_ = time_ns;
     }
-    ended_on_path_.reset();
-    if (phase_ == Phase::segment && !strayed_) ended_on_path_ = last_;
+    if (on_path_) (*on_path_)[kPsi] += psi_offset_;
     retraction_ = {};
     hold_attempt();
     phase_ = Phase::approach;

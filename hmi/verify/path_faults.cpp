@@ -271,8 +271,8 @@ void PathRule::count(const Stray& stray) {
 
 /// The path led there, at this depth: that was judged on the way.
 bool PathRule::is_where_it_ended(std::size_t h, const Positions& at) const noexcept {
-    if (phase_ != Phase::approach || !ended_on_path_) return false;
-    const Positions& end = *ended_on_path_;
+    if (phase_ != Phase::approach || !on_path_) return false;
+    const Positions& end = *on_path_;
     const std::size_t head = index_of(kHeads[h]);
     return at[kPsi] == end[kPsi] && at[kY] == end[kY] && at[head] >= end[head];
 }

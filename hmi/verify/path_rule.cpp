@@ -197,9 +197,9 @@ void PathRule::note_closest(const Positions& at) {
     }
 }
 
-/// Whether both heads are near enough to their straight lines; keeps the largest distances.
-bool PathRule::is_on_lines(std::int64_t time_ns, const Positions& at) {
-    bool is_on = true;
+/// Which heads are near enough to their straight lines; keeps the largest distances.
+PathRule::OnLines PathRule::on_lines(std::int64_t time_ns, const Positions& at) {
+    OnLines is_on{};
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         const std::size_t axis = index_of(kHeads[h]);
         const PathLine& line = headings_[h].line;
@@ -209,25 +209,26 @@ bool PathRule::is_on_lines(std::int64_t time_ns, const Positions& at) {
         if (distance.mm > max_mm) max_mm = distance.mm;
         if (distance.across_mm > max_pulses * line.pulse_across_mm())
             max_pulses = distance.across_mm / line.pulse_across_mm();
-        if (distance.is_allowed) continue;
-        is_on = false;
-        stray(time_ns, h, distance);
+        is_on[h] = distance.is_allowed;
+        if (!is_on[h]) stray(time_ns, h, distance);
     }
     return is_on;
 }
 
-/// The tips cut where they may: there is nothing more to judge.
-void PathRule::carve(const Positions& at) {
-    const bool turned = at[kPsi] != cells_at_psi_;
+void PathRule::note_cells(const Positions& at) {
+    if (at[kPsi] == cells_at_psi_) return;
     cells_at_psi_ = at[kPsi];
-    for (std::size_t h = 0; h < kHeadCount; ++h) {
-        Heading& heading = headings_[h];
-        if (turned) heading.cell = geometry_.cell_of(geometry_.direction(h, at[kPsi]));
-        if (!heading.has_surface) continue;
-        const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
-        const bool is_at_from = geometry_.is_spiral() && heading.cell == heading.from_cell;
-        mark(is_at_from ? heading.from_layer : heading.surface_layer, heading.cell, mm);
-    }
+    for (std::size_t h = 0; h < kHeadCount; ++h)
+        headings_[h].cell = geometry_.cell_of(geometry_.direction(h, at[kPsi]));
+}
+
+/// The tip cuts where it may: there is nothing more to judge.
+void PathRule::carve(std::size_t h, const Positions& at) {
+    const Heading& heading = headings_[h];
+    if (!heading.has_surface) return;
+    const double mm = geometry_.head(h).real_mm(at[index_of(kHeads[h])]);
+    const bool is_at_from = geometry_.is_spiral() && heading.cell == heading.from_cell;
+    mark(is_at_from ? heading.from_layer : heading.surface_layer, heading.cell, mm);
 }
 
 PathRule::HeightLine PathRule::height_line(std::int64_t psi_pulses) const noexcept {
@@ -275,10 +276,16 @@ void PathRule::follow_segment(std::int64_t time_ns, const Positions& at) {
     }
     if (phase_ == Phase::link) return follow_link(time_ns, at);
     if (phase_ == Phase::done) return touch(time_ns, at);
-    if (is_on_lines(time_ns, at))
-        carve(at);
-    else
-        touch(time_ns, at);
+    note_cells(at);
+    const OnLines is_on = on_lines(time_ns, at);
+    for (std::size_t h = 0; h < kHeadCount; ++h) {
+        // A steep line passes below a point's radius where psi stands at the point's angle already.
+        if (is_on[h])
+            carve(h, at);
+        else
+            touch_head(h, time_ns, at);
+    }
+    if (is_on[0] && is_on[1]) on_path_ = at;
     if (at == to_) return reach(time_ns);
     near_.note(at, to_);
     if (at[kPsi] == to_[kPsi]) note_closest(at);

@@ -94,8 +94,10 @@ private:
     void count(const Stray& stray);
     void hold_attempt();
     void count_held_attempt();
-    bool is_on_lines(std::int64_t time_ns, const Positions& at);
-    void carve(const Positions& at);
+    using OnLines = std::array<bool, kHeadCount>;
+    OnLines on_lines(std::int64_t time_ns, const Positions& at);
+    void note_cells(const Positions& at);
+    void carve(std::size_t h, const Positions& at);
     bool has_only_passed(const Positions& at) const noexcept;
     void follow_segment(std::int64_t time_ns, const Positions& at);
     void follow_link(std::int64_t time_ns, const Positions& at);
@@ -195,9 +197,9 @@ private:
     std::optional<CarvePlace> ended_at_;   ///< where the last attempt ended early
     std::int64_t ended_ns_ = 0;
     Nearest ended_near_;
-    std::optional<Positions> ended_on_path_;  ///< position by the trace's count, where it ended between two
-                                              ///< points
-    std::vector<std::uint32_t> visited_of_;   ///< points, by layer; those that are left out count
+    std::optional<Positions> on_path_;       ///< last position on the lines: the attempt's, or by the trace's
+                                             ///< count the last attempt's
+    std::vector<std::uint32_t> visited_of_;  ///< points, by layer; those that are left out count
     std::vector<std::uint32_t> visited_before_;  ///< the attempt
     std::uint64_t visited_ = 0;                  ///< in the layers that are to be carved
     std::uint32_t begun_layer_ = 0;              ///< first layer of the attempt

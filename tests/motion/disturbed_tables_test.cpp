@@ -12,6 +12,7 @@
 #include "tests/motion/random_operator.hpp"
 #include "tests/places.hpp"
 #include "tests/reference/table_csv.hpp"
+#include "tests/shared/spiral_fixture.hpp"
 #include "tests/thoroughness.hpp"
 
 namespace psicarve::motion {
@@ -21,8 +22,9 @@ namespace {
 constexpr std::uint64_t kLongestSpan = 8000;
 const std::uint64_t kStops = test::is_thorough() ? 6 : 1;
 constexpr double kBacklash_mm = 0.05;
+constexpr int kFiner = 10;
 
-enum class Machine { plain, lifting, with_backlash, lifting_with_backlash };
+enum class Machine { plain, lifting, with_backlash, lifting_with_backlash, fine, coarse, spiral };
 
 struct Case {
     const char* job;
@@ -36,7 +38,32 @@ Profile profile_of(Machine machine) {
     profile.job.retract_mm = 0.5;
     if (machine == Machine::with_backlash || machine == Machine::lifting_with_backlash)
         profile.r1.backlash_mm = profile.r2.backlash_mm = kBacklash_mm;
+    // Pulses a tenth, or ten times, as wide; the motors' speed in mm stays.
+    if (machine == Machine::fine) {
+        profile.tick.period_us = 10;
+        profile.psi.pulses_per_rev *= kFiner;
+    }
+    for (LinearAxisProfile* axis : {&profile.r1, &profile.r2, &profile.y}) {
+        if (machine == Machine::fine) axis->pulses_per_mm *= kFiner;
+        if (machine == Machine::coarse) axis->pulses_per_mm /= kFiner;
+    }
     return profile;
+}
+
+JobTable table_for(const Case& of, const Profile& profile) {
+    const std::string file = in_source("tests/motion/tables/") + of.job + ".csv";
+    JobTable table = table_from_csv(file, profile).value();
+    if (of.machine == Machine::spiral) return spiral_of(table);
+    if (of.machine != Machine::fine && of.machine != Machine::coarse) return table;
+    const bool is_fine = of.machine == Machine::fine;
+    const auto scaled = [is_fine](auto& pulses) {
+        for (auto& value : pulses) value = is_fine ? value * kFiner : value / kFiner;
+    };
+    scaled(table.r_left_pulses);
+    scaled(table.r_right_pulses);
+    scaled(table.layer_height_pulses);
+    if (is_fine) table.psi_sweep_pulses *= kFiner;
+    return table;
 }
 
 std::uint64_t rounds() {
@@ -48,8 +75,7 @@ class DisturbedTables : public ::testing::TestWithParam<Case> {};
 
 TEST_P(DisturbedTables, ObeyTheFourRulesInTheSameOrder) {
     const Profile profile = profile_of(GetParam().machine);
-    const std::string file = in_source("tests/motion/tables/") + GetParam().job + ".csv";
-    const JobTable table = table_from_csv(file, profile).value();
+    const JobTable table = table_for(GetParam(), profile);
     const Carved undisturbed = carved(profile, table);
     ASSERT_TRUE(undisturbed.report.ok) << verify::report_text(undisturbed.report);
     for (const verify::RuleResult& rule : undisturbed.report.rules) EXPECT_TRUE(rule.judged);
@@ -63,28 +89,11 @@ TEST_P(DisturbedTables, ObeyTheFourRulesInTheSameOrder) {
     }
 }
 
-/// A stop at one tick, also while the machine is held or slows down.
-class Stopper {
-public:
-    explicit Stopper(std::uint64_t seed) : operator_(seed, kLongestSpan), random_(seed) {}
-    void operator()(cycle::MachineRig& rig) {
-        if (stop_tick_ == 0) stop_tick_ = rig.cycle->next_tick() + 1 + random_() % 100'000;
-        if (rig.cycle->next_tick() == stop_tick_) rig.stop();
-        operator_(rig);
-    }
-
-private:
-    Operator operator_;
-    std::mt19937_64 random_;
-    std::uint64_t stop_tick_ = 0;
-};
-
-TEST_P(DisturbedTables, AreStoppedInOrder) {
-    const Profile profile = profile_of(GetParam().machine);
-    const std::string file = in_source("tests/motion/tables/") + GetParam().job + ".csv";
-    const JobTable table = table_from_csv(file, profile).value();
-    for (std::uint64_t seed = 1; seed <= kStops; ++seed) {
-        const Carved stopped = carved(profile, table, Stopper(seed));
+void expect_stops_in_order(const Case& of, std::uint64_t stops) {
+    const Profile profile = profile_of(of.machine);
+    const JobTable table = table_for(of, profile);
+    for (std::uint64_t seed = 1; seed <= stops; ++seed) {
+        const Carved stopped = carved(profile, table, Stopper(seed, kLongestSpan));
         EXPECT_LT(stopped.report.points_visited, stopped.report.points_total);
         for (std::size_t rule = 0; rule < stopped.report.rules.size(); ++rule) {
             const verify::RuleResult& result = stopped.report.rules[rule];
@@ -95,6 +104,17 @@ TEST_P(DisturbedTables, AreStoppedInOrder) {
             }
         }
     }
+}
+
+TEST_P(DisturbedTables, AreStoppedInOrder) {
+    expect_stops_in_order(GetParam(), kStops);
+}
+
+class StoppedTables : public ::testing::TestWithParam<Case> {};
+
+TEST_P(StoppedTables, EndInOrder) {
+    const std::uint64_t stops = GetParam().machine == Machine::fine ? 1 : kStops;
+    expect_stops_in_order(GetParam(), test::is_long_run() ? 60 : stops);
 }
 
 class BenchTables : public ::testing::TestWithParam<const char*> {};
@@ -120,7 +140,8 @@ INSTANTIATE_TEST_SUITE_P(Bench, BenchTables,
                          [](const auto& named) { return std::string{named.param}; });
 
 std::string name_of(const ::testing::TestParamInfo<Case>& info) {
-    const char* const machines[] = {"Plain", "Lifting", "WithBacklash", "LiftingWithBacklash"};
+    const char* const machines[] = {"Plain", "Lifting", "WithBacklash", "LiftingWithBacklash",
+                                    "Fine",  "Coarse",  "Spiral"};
     return info.param.job + std::string{machines[static_cast<std::size_t>(info.param.machine)]};
 }
 
@@ -132,6 +153,15 @@ INSTANTIATE_TEST_SUITE_P(Bench, DisturbedTables,
                                            Case{"relief", Machine::lifting},
                                            Case{"gear", Machine::lifting_with_backlash},
                                            Case{"figurine", Machine::lifting_with_backlash}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(Bench, StoppedTables,
+                         ::testing::Values(Case{"gear", Machine::fine}, Case{"figurine", Machine::coarse},
+                                           Case{"gear", Machine::coarse}, Case{"figurine", Machine::spiral},
+                                           Case{"scan", Machine::spiral},
+                                           Case{"scan", Machine::with_backlash},
+                                           Case{"relief", Machine::lifting_with_backlash},
+                                           Case{"bunny", Machine::lifting_with_backlash}),
                          name_of);
 
 }  // namespace

@@ -133,5 +133,30 @@ TEST(RandomJobs, AreFollowedByMotorsThatHaveNothingToSpare) {
     }
 }
 
+/// Whether all that is wrong with a run that was stopped is that it ends.
+bool only_ends_early(const verify::VerifyReport& report) {
+    for (const verify::RuleResult& rule : report.rules) {
+        const bool is_path = &rule == &report.rules[0];
+        if (!rule.judged || rule.offences > (is_path ? 1U : 0U)) return false;
+        if (rule.first && rule.first->fault != "ends-early") return false;
+    }
+    return true;
+}
+
+// Wherever the heads come to rest they stand no deeper than the job asks.
+TEST(RandomJobs, AreStoppedInOrder) {
+    const std::uint64_t seeds = !test::is_thorough() ? 4 : test::is_long_run() ? 400 : 24;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        Dice dice(seed);
+        RandomJob job = random_job_of(dice);
+        job.layers = {};
+        const Stopper stopper(seed, 200 + dice.below(8000), 200'000);
+        const Carved stopped = carved(job.profile, job.table, stopper, {leave_nothing_to_spare, {}});
+        EXPECT_EQ(stopped.stalls, 0U) << "seed " << seed;
+        EXPECT_TRUE(only_ends_early(stopped.report)) << "seed " << seed << '\n'
+                                                     << verify::report_text(stopped.report);
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::motion

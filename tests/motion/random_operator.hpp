@@ -38,4 +38,22 @@ private:
     std::uint64_t next_tick_ = 0;
 };
 
+/// A stop at one tick, also while the machine is held or slows down.
+class Stopper {
+public:
+    Stopper(std::uint64_t seed, std::uint64_t longest_span, std::uint64_t latest_tick = 100'000)
+        : operator_(seed, longest_span), random_(seed), latest_tick_(latest_tick) {}
+    void operator()(cycle::MachineRig& rig) {
+        if (stop_tick_ == 0) stop_tick_ = rig.cycle->next_tick() + 1 + random_() % latest_tick_;
+        if (rig.cycle->next_tick() == stop_tick_) rig.stop();
+        operator_(rig);
+    }
+
+private:
+    Operator operator_;
+    std::mt19937_64 random_;
+    std::uint64_t latest_tick_;
+    std::uint64_t stop_tick_ = 0;
+};
+
 }  // namespace psicarve::motion

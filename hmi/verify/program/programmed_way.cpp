@@ -60,13 +60,17 @@ ProgrammedWay::ProgrammedWay(const WayScale& scale, const Place& from, const Pla
     if (arc) most_pulses_ = std::max(most_pulses_, arc_mm * scale.pulses_per_unit[kY]);
     for (std::size_t head = 0; head < kHeadCount; ++head) {
         const double pulse_mm = 1.0 / scale.pulses_per_unit[head];
-        const double r_mm = std::max(from[head], to[head]) * pulse_mm + scale.tip_mm[head];
+        const auto turn_mm = [&](double radius) {
+            return std::max(radius * pulse_mm + scale.tip_mm[head], 0.0) * scale.rad_per_pulse;
+        };
         Head& of = heads_[head];
-        of.r_mm = std::max(r_mm, 0.0);
-        of.pulse_mm = {of.r_mm * scale.rad_per_pulse, pulse_mm, 1.0 / scale.pulses_per_unit[kY]};
-        const Space way{(to[kPsi] - from[kPsi]) * of.pulse_mm[0], (to[head] - from[head]) * of.pulse_mm[1],
-                        (to[kY] - from[kY]) * of.pulse_mm[2]};
-        of.length_mm = hypot3(way) + arc_mm;
+        of.pulse_mm = {turn_mm(std::max(from[head], to[head])), pulse_mm, 1.0 / scale.pulses_per_unit[kY]};
+        const auto length_mm = [&](double psi_pulse_mm) {
+            return hypot3({(to[kPsi] - from[kPsi]) * psi_pulse_mm, (to[head] - from[head]) * of.pulse_mm[1],
+                           (to[kY] - from[kY]) * of.pulse_mm[2]});
+        };
+        of.length_mm = length_mm(of.pulse_mm[0]) + arc_mm;
+        of.least_length_mm = length_mm(turn_mm(std::min(from[head], to[head]))) + arc_mm;
     }
 }
 
@@ -90,13 +94,17 @@ double ProgrammedWay::Off::distance_mm() const noexcept {
     return hypot3(left);
 }
 
+/// Of psi at the radius where the tip stands: where a way begins further out a pulse is wider.
+ProgrammedWay::Space ProgrammedWay::pulse_mm(std::size_t head, const Positions& at) const noexcept {
+    Space pulse_mm = heads_[head].pulse_mm;
+    const double r_mm = static_cast<double>(at[head]) * pulse_mm[1] + scale_->tip_mm[head];
+    pulse_mm[0] = std::max(r_mm, 0.0) * scale_->rad_per_pulse;
+    return pulse_mm;
+}
+
 ProgrammedWay::Off ProgrammedWay::off(std::size_t head, const Positions& at, const Place& place,
                                       double pulses) const noexcept {
-    Space pulse_mm = heads_[head].pulse_mm;
-    if (arc_) {
-        const double r_mm = static_cast<double>(at[head]) * pulse_mm[1] + scale_->tip_mm[head];
-        pulse_mm[0] = std::max(r_mm, 0.0) * scale_->rad_per_pulse;
-    }
+    const Space pulse_mm = this->pulse_mm(head, at);
     const std::array<std::size_t, 3> axes{kPsi, head, kY};
     Off off{};
     for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -141,21 +149,23 @@ double ProgrammedWay::from_one_place_mm(const Positions& at, const WayTolerance&
 
 double ProgrammedWay::back_share(std::size_t head, const WayTolerance& tolerance) const noexcept {
     const Head& of = heads_[head];
-    if (of.length_mm <= 0.0) return 1.0;
+    if (of.least_length_mm <= 0.0) return 1.0;
     const bool turns = !arc_ || to_[kPsi] != from_[kPsi];
     const double pulse_mm = (turns ? of.pulse_mm[0] : 0.0) + of.pulse_mm[1] + of.pulse_mm[2];
-    return (tolerance.mm + (tolerance.pulses + 1.0) * pulse_mm) / of.length_mm;
+    return (tolerance.mm + (tolerance.pulses + 1.0) * pulse_mm) / of.least_length_mm;
 }
 
 double ProgrammedWay::share_of_line(std::size_t head, const Positions& at) const noexcept {
-    const Head& of = heads_[head];
-    if (of.length_mm <= 0.0) return 0.0;
+    const Space pulse_mm = this->pulse_mm(head, at);
     const std::array<std::size_t, 3> axes{kPsi, head, kY};
-    double along = 0.0;
-    for (std::size_t k = 0; k < axes.size(); ++k)
-        along += (static_cast<double>(at[axes[k]]) - from_[axes[k]]) * (to_[axes[k]] - from_[axes[k]]) *
-                 of.pulse_mm[k] * of.pulse_mm[k];
-    return std::clamp(along / (of.length_mm * of.length_mm), 0.0, 1.0);
+    double along_mm2 = 0.0;
+    double length_mm2 = 0.0;
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+        const double way_mm = (to_[axes[k]] - from_[axes[k]]) * pulse_mm[k];
+        along_mm2 += (static_cast<double>(at[axes[k]]) - from_[axes[k]]) * pulse_mm[k] * way_mm;
+        length_mm2 += way_mm * way_mm;
+    }
+    return length_mm2 > 0.0 ? std::clamp(along_mm2 / length_mm2, 0.0, 1.0) : 0.0;
 }
 
 ProgrammedWay::Nearest ProgrammedWay::nearest(std::size_t head, const Positions& at,

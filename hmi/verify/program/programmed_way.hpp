@@ -58,8 +58,7 @@ struct ShareRange {
 using Reach = std::vector<ShareRange>;
 
 /// One way of a program, as canonical motion has it. Each head has a space of its own: along the surface (r
-/// times psi), its radius, and height, in mm; r is the larger of the two ends' radii, on an arc the place's
-/// own.
+/// times psi), its radius, and height, in mm; r is the radius at which the tip stands.
 class ProgrammedWay {
 public:
     ProgrammedWay(const WayScale& scale, const Place& from, const Place& to,
@@ -110,9 +109,9 @@ private:
     /// Along the surface, radius, height.
     using Space = std::array<double, 3>;
     struct Head {
-        double r_mm;
-        double length_mm;
-        Space pulse_mm;
+        double length_mm;        ///< r: the larger of the two ends' radii
+        double least_length_mm;  ///< r: the smaller one
+        Space pulse_mm;          ///< r: the larger one
     };
     struct Off {
         Space mm;
@@ -127,6 +126,7 @@ private:
     };
 
     Place at(double share) const noexcept;
+    Space pulse_mm(std::size_t head, const Positions& at) const noexcept;
     Off off(std::size_t head, const Positions& at, const Place& place, double pulses) const noexcept;
     double both_mm(const Positions& at, double share, double pulses) const noexcept;
     double distance_mm(std::size_t head, const Positions& at, double share, double pulses) const noexcept;

@@ -85,6 +85,30 @@ TEST(LiftFilter, ALiftBeginsBehindASlowPulseOutwards) {
     EXPECT_TRUE(report.ok) << report_text(report);
 }
 
+/// Heads that come back from a lift are stopped on the way, and retract.
+VerifyReport stopped_on_the_way_back(const Profile& profile, std::int64_t back_pulses) {
+    const SampleJob job = crested_job(profile, 0.0);
+    PerfectMachine machine(job);
+    machine.approach();
+    for (std::uint32_t step = 1; step < 5; ++step) machine.to_point(0, step);
+    machine.wait(kRest_ns).line({800, 800, 0, 0}).wait(kRest_ns);
+    machine.line({-back_pulses, -back_pulses, 0, 0}).wait(kRest_ns).line({800, 800, 0, 0});
+    machine.set(Signal::spindle, false).line({100, 100, 50, 0});
+    return verified(job, machine);
+}
+
+TEST(LiftFilter, ALiftThatAStopEndsIsNoPathEither) {
+    for (const std::int64_t back_pulses : {10, 400, 799}) {
+        const VerifyReport stopped = stopped_on_the_way_back(machine_that(true), back_pulses);
+        EXPECT_EQ(stopped.rules[0].offences, 1U) << report_text(stopped);
+        EXPECT_EQ(first_of(stopped, 1).fault, "ends-early");
+        EXPECT_LT(stopped.max_line_deviation_mm, 0.01);
+    }
+    EXPECT_EQ(first_of(stopped_on_the_way_back(machine_that(true), 820), 1).fault, "off-the-line")
+        << "further in than the path came";
+    EXPECT_EQ(first_of(stopped_on_the_way_back(machine_that(false), 400), 1).fault, "off-the-line");
+}
+
 TEST(LiftFilter, WhatElseLeavesThePathIsAnOffenceThereToo) {
     EXPECT_EQ(first_of(held_on_the_way(machine_that(true), {-80, -80, 0, 0}), 1).fault, "off-the-line")
         << "inwards";

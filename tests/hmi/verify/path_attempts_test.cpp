@@ -104,6 +104,47 @@ TEST(PathOffence, StandingOnThePathWhereAnAttemptEndedIsNone) {
     }
 }
 
+/// R2 comes to a flank outwards of 800 pulses in 8 of psi. It ends 40 short of the point's radius, where the
+/// line has come to the point's angle.
+SampleJob job_with_a_cliff() {
+    return SampleJob(Profile{}, 1, 401, Joining::continuous,
+                     [](double angle, double) { return angle < 3.5 ? 8.0 : 10.0; });
+}
+void go_to_the_cliffs_edge(PerfectMachine& machine) {
+    machine.approach();
+    for (std::uint32_t step = 1; step <= 45; ++step) machine.to_point(0, step);
+    machine.line({0, 760, 8, 0});
+}
+
+// While the heads go out, R1 first, and where R2 goes on from a short way out.
+TEST(PathOffence, RetractingFromAFlankOutwardsIsNone) {
+    const SampleJob job = job_with_a_cliff();
+    for (const std::int64_t outward_pulses : {400, 20}) {
+        for (const bool cuts_deeper : {false, true}) {
+            PerfectMachine machine(job);
+            go_to_the_cliffs_edge(machine);
+            machine.move(Axis::r1, outward_pulses);
+            if (cuts_deeper) machine.move(Axis::r2, -300);
+            machine.move(Axis::r2, outward_pulses).set(Signal::spindle, false);
+            machine.move(Axis::r1, 10).move(Axis::r2, 10);
+            const VerifyReport report = verified(job, machine);
+            EXPECT_EQ(report.rules[0].offences > 1, cuts_deeper) << report_text(report);
+            EXPECT_EQ(first_of(report, 1).fault == "ends-early", !cuts_deeper) << report_text(report);
+        }
+    }
+}
+
+TEST(PathOffence, AHeadOnASteepLineIsNotBlamedForTheOtherOne) {
+    const SampleJob job = job_with_a_cliff();
+    PerfectMachine machine(job);
+    go_to_the_cliffs_edge(machine);
+    machine.move(Axis::r1, 40).move(Axis::r1, -40).to_point(0, 46).to_point(0, 47).finish();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_EQ(first_of(report, 1).fault, "off-the-line") << report_text(report);
+    EXPECT_EQ(first_of(report, 1).axis, Axis::r1);
+    EXPECT_EQ(report.rules[0].offences, 2U) << report_text(report);
+}
+
 TEST(PathOffence, AStrayCutBetweenTwoAttemptsStillCounts) {
     const SampleJob job = wavy_job(Joining::continuous, 1);
     PerfectMachine machine(job);

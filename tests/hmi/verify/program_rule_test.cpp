@@ -67,6 +67,18 @@ TEST(ProgramRule, RefusesAWayLeftOutAndOneThatIsNotOfTheProgram) {
     EXPECT_EQ(verdict(judged(kExact, still)), "ends-early 2");
 }
 
+// A pulse of psi is an eighth as wide there as where the way begins.
+TEST(ProgramRule, MeasuresATurnAtTheRadiusWhereTheTipStands) {
+    for (const std::int64_t ahead : {2, 3}) {
+        PlacedMachine machine;
+        machine.to({5.0, 41.0, -20.25 * 35.0 / 36.0, 0.0});
+        machine.pins().move(Axis::psi, -ahead).move(Axis::psi, ahead);
+        machine.to({4.0, 41.0, -20.25, 0.0});
+        const auto report = judged("G21 G90 G94 G64 P0.005 F300\nG1 X4 C-20.25\nM2\n", machine);
+        EXPECT_EQ(verdict(report), ahead == 2 ? "ok" : "off-the-way 2");
+    }
+}
+
 TEST(ProgramRule, TellsOfADrawnWayOnceThatItsFeedWasLowered) {
     const std::string program = "G21 G90 G94 G61 F6000\nG12.1\nG1 C30\nG1 X30\nG13.1\nG1 X41\nM2\n";
     PlacedMachine machine;

@@ -92,7 +92,7 @@ void add_start(CommandSet& commands) {
         .option("--from-layer", options->from_layer, 0, kMostLayer,
                 "Leave out the layers before N; the first is 0")
         .option("--from-point", options->from_point, 0, kMostPoint,
-                "And of that layer the points before M, as status counts them; the first is 0")
+                "And of that layer the points before N, as status counts them; the first is 0")
         .option("--layers", options->layers, 0, kMostLayer + 1, "Carve N layers; 0 carves all that follow")
         .flag("--resume", options->resume, "Go on behind the last layer that was finished")
         .excludes("--resume", "--from-layer")

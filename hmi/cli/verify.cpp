@@ -153,7 +153,7 @@ void add_verify(CommandSet& commands) {
         .picture_option(options->picture)
         .option("--from-layer", options->layers.first, 0, kMaxJobCount - 1,
                 "Carving was to begin with layer N, as with psicarve start")
-        .option("--from-point", options->from_point, 0, kMaxJobCount - 1, "And with point M of that layer")
+        .option("--from-point", options->from_point, 0, kMaxJobCount - 1, "And with point N of that layer")
         .option("--layers", options->layers.count, 0, kMaxJobCount, "And to end after N layers")
         .option("--program", options->program.program, "FILE",
                 "The program in G-code that the trace has, in place of a job")

@@ -74,11 +74,7 @@ bool PathRule::begin_layer(std::int64_t time_ns, const Positions& at) {
     if (!begin || (begun && begin->layer == begun_layer_ && begin->step == begun_step_)) return false;
     // Carving passes a place where it must not begin.
     if (is_elsewhere_ && geometry_.job().is_joint(begin->layer, 0)) return false;
-    if (begun) {
-        log_.restore(1, at_start_);
-        visited_of_ = visited_before_;
-    }
-    visited_before_ = visited_of_;
+    if (begun) restore_before();
     phase_ = Phase::approach;
     is_elsewhere_ = !is_judged(*begin);
     if (is_elsewhere_) return true;
@@ -87,7 +83,24 @@ bool PathRule::begin_layer(std::int64_t time_ns, const Positions& at) {
     return true;
 }
 
-/// Which of a layer's points this is.
+void PathRule::keep_before() {
+    before_ = {visited_of_,  visited_,    log_.result(1), held_,
+               held_before_, is_holding_, max_line_mm_,   max_line_pulses_};
+}
+
+/// Nothing has begun where it seemed so.
+void PathRule::restore_before() {
+    log_.restore(1, before_.result);
+    visited_of_ = before_.visited_of;
+    visited_ = before_.visited;
+    held_ = before_.held;
+    held_before_ = before_.held_before;
+    is_holding_ = before_.is_holding;
+    max_line_mm_ = before_.max_line_mm;
+    max_line_pulses_ = before_.max_line_pulses;
+}
+
+/// The layer's point at this psi and y, whatever its radii.
 std::optional<std::uint32_t> PathRule::step_at(std::uint32_t layer, const Positions& at) const noexcept {
     const std::uint32_t last = geometry_.point_count() - 1;
     const JobView& job = geometry_.job();
@@ -109,25 +122,35 @@ std::optional<std::uint32_t> PathRule::step_at(std::uint32_t layer, const Positi
         }
     }
     const Positions point = geometry_.target(layer, step);
-    const bool is_there = (point[kPsi] - first_psi) * sign == turned && point[0] == at[0] &&
-                          point[1] == at[1] && point[kY] == at[kY];
+    const bool is_there = (point[kPsi] - first_psi) * sign == turned && point[kY] == at[kY];
     return is_there ? std::optional(step) : std::nullopt;
 }
 
 /// The point of a layer, not its last, that heads which go in, psi and Y still, have reached: one of the
 /// layer that is due where there are several.
-std::optional<PathRule::Begin> PathRule::point_that_begins(const Positions& at) const noexcept {
+std::optional<PathRule::Begin> PathRule::point_that_begins(const Positions& at) {
     const bool rests = at[kPsi] == last_[kPsi] && at[kY] == last_[kY];
     const bool goes_in = rests && at != last_ && at[0] <= last_[0] && at[1] <= last_[1];
     if (!goes_in || has_turned_ || is_elsewhere_) return std::nullopt;
+    look_for_points(at);
     std::optional<Begin> found;
-    const std::uint32_t due = due_layer();
-    for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
-        const auto step = step_at(layer, at);
-        if (!step || *step + 1 == geometry_.point_count()) continue;
-        if (!found || layer == due) found = Begin{layer, *step};
+    for (const Begin& point : plunge_points_) {
+        const Positions target = geometry_.target(point.layer, point.step);
+        if (target[0] != at[0] || target[1] != at[1]) continue;
+        if (!found || point.layer == due_layer()) found = point;
     }
     return found;
+}
+
+/// Of all layers: once for a plunge of many pulses.
+void PathRule::look_for_points(const Positions& at) {
+    if (plunge_ == std::pair{at[kPsi], at[kY]}) return;
+    plunge_ = {at[kPsi], at[kY]};
+    plunge_points_.clear();
+    for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
+        const auto step = step_at(layer, at);
+        if (step && *step + 1 < geometry_.point_count()) plunge_points_.push_back({layer, *step});
+    }
 }
 
 bool PathRule::is_judged(Begin begin) const noexcept {
@@ -167,6 +190,7 @@ void PathRule::forget_from(Begin begin) {
 
 /// Begins to carve with a point: with the first one anew, or goes on with a later one.
 void PathRule::start(Begin begin, std::int64_t time_ns, std::int64_t psi_pulses) {
+    keep_before();
     const std::uint32_t layer = begin.layer;
     const std::int64_t rev = geometry_.rev_pulses();
     const std::int64_t first = geometry_.target(layer, begin.step)[kPsi];
@@ -174,10 +198,10 @@ void PathRule::start(Begin begin, std::int64_t time_ns, std::int64_t psi_pulses)
     psi_offset_ = round_to_pulse(turns) * rev;
     begun_layer_ = layer;
     begun_step_ = begin.step;
-    const bool goes_on = layer > geometry_.first_layer() || begin.step > geometry_.first_step(layer);
+    goes_on_ = layer > geometry_.first_layer() || begin.step > geometry_.first_step(layer);
     const bool leaves_out = layer > due_layer();
     const std::uint32_t due_step = visited_of_[layer];
-    if (goes_on) {
+    if (goes_on_) {
         count_held_attempt();
     } else {
         max_line_mm_ = 0.0;
@@ -202,10 +226,17 @@ void PathRule::start(Begin begin, std::int64_t time_ns, std::int64_t psi_pulses)
                     carved_point(geometry_.job().joining(), geometry_.point_count(), layer, begin.step));
     if (leaves_out) return leave_out(time_ns, due);
     // Where the last point carved is the one before it, the way between them is left out.
-    if (goes_on && begin.step > 0 && begin.step >= due_step) leave_out_points(time_ns, begin, due_step);
+    if (goes_on_ && begin.step > 0 && begin.step >= due_step) leave_out_points(time_ns, begin, due_step);
 }
 
 void PathRule::end_attempt(std::int64_t time_ns) {
+    // It went in and no further: nothing was carved anew, and what was carved before is so still.
+    const bool has_only_gone_in =
+        phase_ == Phase::segment && layer_ == begun_layer_ && step_ == begun_step_ + 1;
+    if (has_only_gone_in && goes_on_) {
+        visited_of_ = before_.visited_of;
+        visited_ = before_.visited;
+    }
     keep_link();
     is_complete_ = phase_ == Phase::done;
     if (!is_complete_) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hmi/surface/carved_surface.hpp"
@@ -116,7 +117,10 @@ private:
     bool may_begin(const Positions& at) const noexcept;
     bool begin_layer(std::int64_t time_ns, const Positions& at);
     std::optional<std::uint32_t> step_at(std::uint32_t layer, const Positions& at) const noexcept;
-    std::optional<Begin> point_that_begins(const Positions& at) const noexcept;
+    std::optional<Begin> point_that_begins(const Positions& at);
+    void look_for_points(const Positions& at);
+    void keep_before();
+    void restore_before();
     bool is_judged(Begin begin) const noexcept;
     void forget_from(Begin begin);
     void follow(std::int64_t time_ns, const Positions& positions, bool spindle_on);
@@ -200,11 +204,25 @@ private:
     std::optional<Positions> on_path_;       ///< last position on the lines: the attempt's, or by the trace's
                                              ///< count the last attempt's
     std::vector<std::uint32_t> visited_of_;  ///< points, by layer; those that are left out count
-    std::vector<std::uint32_t> visited_before_;  ///< the attempt
-    std::uint64_t visited_ = 0;                  ///< in the layers that are to be carved
-    std::uint32_t begun_layer_ = 0;              ///< first layer of the attempt
-    std::uint32_t begun_step_ = 0;               ///< and which of its points it began with
-    bool has_turned_ = false;                    ///< psi, with the spindle on, outside an attempt
+    /// What was there before the attempt, should it be none.
+    struct Before {
+        std::vector<std::uint32_t> visited_of;
+        std::uint64_t visited = 0;
+        RuleResult result;
+        RuleResult held;
+        std::uint64_t held_before = 0;
+        bool is_holding = false;
+        double max_line_mm = 0.0;
+        double max_line_pulses = 0.0;
+    };
+    Before before_;
+    bool goes_on_ = false;  ///< the attempt, with what others have carved
+    std::optional<std::pair<std::int64_t, std::int64_t>> plunge_;  ///< psi and y of `plunge_points_`
+    std::vector<Begin> plunge_points_;                             ///< where heads that go in may begin
+    std::uint64_t visited_ = 0;                                    ///< in the layers that are to be carved
+    std::uint32_t begun_layer_ = 0;                                ///< first layer of the attempt
+    std::uint32_t begun_step_ = 0;                                 ///< and which of its points it began with
+    bool has_turned_ = false;               ///< psi, with the spindle on, outside an attempt
     bool is_elsewhere_ = false;             ///< carves layers that are not judged, until the spindle stops
     std::optional<std::int64_t> begins_y_;  ///< height at which `beginning_` begin
     std::vector<std::uint32_t> beginning_;  ///< layers

@@ -45,8 +45,9 @@ std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle:
     is_announced_ = false;
     if (begun_tick_ != run_start_tick_) begin_run(header, {sample.first_layer, sample.first_step}, *job);
     if (leaves_gap_) return std::nullopt;
+    if (reached_job_ != job->checksum) reached_points_ = 0;
     reached_job_ = job->checksum;
-    reached_points_ = sample.points_done;
+    reached_points_ = std::max<std::uint64_t>(reached_points_, sample.points_done);
     const std::uint64_t layers_done =
         std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
     const auto next_layer =
@@ -128,11 +129,12 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, const RunBegin& be
     begun_tick_ = run_start_tick_;
     carved_before_ = 0;
     earlier_layer_ = 0;
-    leaves_gap_ = false;
+    // The operator who begins with a later layer has seen that the earlier ones are carved; within a layer
+    // that is not enough.
+    leaves_gap_ = !is_known(begin, job);
+    if (first_layer == 0 && begin.step == 0) reached_points_ = 0;
     const auto before = known_of(header, job);
-    if (!before)
-        return;  // the operator who begins with a later layer has seen that the earlier ones are
-                 // carved
+    if (!before) return;
     if (first_layer == 0 && begin.step == 0) {
         earlier_layer_ = before->left_behind();
         return;

@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds kLongestTrust{100};
 constexpr int kMostOfARound = 16;
 constexpr std::chrono::milliseconds kLookInterval{50};  ///< for slots of senders that died
 
-/// A start that is to resume names no layer: where the checkpoint says, if it is this job's.
+/// A start that is to resume names neither layer nor point: where the checkpoint says, if it is this job's.
 Result<Command> with_layer(const Command& command, Segment& segment, const LoadedJob* job) {
     if (command.kind != CommandKind::start || (command.axis & kStartResumes) == 0) return command;
     if (job == nullptr) return error_from(ErrorCode::machine_refused, message_of(MessageId::no_job));
@@ -31,6 +31,7 @@ Result<Command> with_layer(const Command& command, Segment& segment, const Loade
     if (!layer) return layer.error();
     Command resuming = command;
     resuming.value = *layer;
+    resuming.value2 = start_layers(command);
     return resuming;
 }
 

@@ -173,7 +173,7 @@ constexpr std::array kCommandWordings{
     Wording{Id::no_such_point,
             "no_such_point",
             "start: a layer has %1 points, from 0 on: no carving begins beyond them, nor with its last",
-            "name an earlier point, or the next layer",
+            "name another point, or the next layer",
             {{K::count, "point_count"}}},
 
     Wording{Id::pins_need_drives_off,

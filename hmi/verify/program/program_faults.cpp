@@ -247,7 +247,7 @@ std::optional<ProgramRule::Back> ProgramRule::back_of(const Live& way, std::size
                                                       double share) const noexcept {
     const ProgrammedWay& along = way.demand.way;
     const WayTolerance tolerance = tolerance_of(way);
-    double allowed = along.back_share(head, tolerance);
+    double allowed = along.back_share(head, at, tolerance);
     double behind = way.share[head] - share;
     if (along.is_arc()) {
         const double least = way.reach[head].front().least;

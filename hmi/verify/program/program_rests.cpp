@@ -88,7 +88,8 @@ bool ProgramRule::may_go_on(const Live& way) const noexcept {
     if (!way.is_on || !way.demand.way.is_arc()) return false;
     for (std::size_t head = 0; head < kHeadCount; ++head) {
         const double left = 1.0 - way.reach[head].front().least;
-        if (left < 0.5 && left <= way.demand.way.back_share(head, tolerance_of(way))) return false;
+        const ProgrammedWay& along = way.demand.way;
+        if (left < 0.5 && left <= along.back_share(head, along.end_pulses(), tolerance_of(way))) return false;
     }
     return true;
 }

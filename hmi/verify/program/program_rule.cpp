@@ -169,7 +169,7 @@ bool ProgramRule::stays_on_line(Live& way, const Positions& at) {
         const auto nearest = way.demand.way.nearest(head, at, tolerance);
         if (nearest.mm > tolerance.mm) return false;
         shares[head] = nearest.share;
-        if (nearest.share < way.share[head] - way.demand.way.back_share(head, tolerance)) return false;
+        if (nearest.share < way.share[head] - way.demand.way.back_share(head, at, tolerance)) return false;
         way.share[head] = std::max(way.share[head], nearest.share);
         off_mm = std::max(off_mm, nearest.mm);
     }
@@ -214,7 +214,8 @@ double ProgramRule::apart_on_arc_mm(const Live& way, const Positions& at,
 bool ProgramRule::has_come(const Live& way) const noexcept {
     const WayTolerance tolerance = tolerance_of(way);
     for (std::size_t head = 0; head < kHeadCount; ++head) {
-        const double back = way.demand.way.is_arc() ? 0.0 : way.demand.way.back_share(head, tolerance);
+        const ProgrammedWay& along = way.demand.way;
+        const double back = along.is_arc() ? 0.0 : along.back_share(head, along.end_pulses(), tolerance);
         if (way.share[head] < 1.0 - back) return false;
     }
     return true;

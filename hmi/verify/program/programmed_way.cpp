@@ -70,7 +70,6 @@ ProgrammedWay::ProgrammedWay(const WayScale& scale, const Place& from, const Pla
                            (to[kY] - from[kY]) * of.pulse_mm[2]});
         };
         of.length_mm = length_mm(of.pulse_mm[0]) + arc_mm;
-        of.least_length_mm = length_mm(turn_mm(std::min(from[head], to[head]))) + arc_mm;
     }
 }
 
@@ -147,12 +146,17 @@ double ProgrammedWay::from_one_place_mm(const Positions& at, const WayTolerance&
     return least_mm;
 }
 
-double ProgrammedWay::back_share(std::size_t head, const WayTolerance& tolerance) const noexcept {
-    const Head& of = heads_[head];
-    if (of.least_length_mm <= 0.0) return 1.0;
+double ProgrammedWay::back_share(std::size_t head, const Positions& at,
+                                 const WayTolerance& tolerance) const noexcept {
+    const Space each_mm = arc_ ? heads_[head].pulse_mm : pulse_mm(head, at);
+    const double length_mm =
+        arc_ ? heads_[head].length_mm
+             : hypot3({(to_[kPsi] - from_[kPsi]) * each_mm[0], (to_[head] - from_[head]) * each_mm[1],
+                       (to_[kY] - from_[kY]) * each_mm[2]});
+    if (length_mm <= 0.0) return 1.0;
     const bool turns = !arc_ || to_[kPsi] != from_[kPsi];
-    const double pulse_mm = (turns ? of.pulse_mm[0] : 0.0) + of.pulse_mm[1] + of.pulse_mm[2];
-    return (tolerance.mm + (tolerance.pulses + 1.0) * pulse_mm) / of.least_length_mm;
+    const double pulse_mm = (turns ? each_mm[0] : 0.0) + each_mm[1] + each_mm[2];
+    return (tolerance.mm + (tolerance.pulses + 1.0) * pulse_mm) / length_mm;
 }
 
 double ProgrammedWay::share_of_line(std::size_t head, const Positions& at) const noexcept {

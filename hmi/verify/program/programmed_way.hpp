@@ -102,16 +102,16 @@ public:
                                     const ShareRange& range) const noexcept;
     /// How far a head is from a place of the way, less what pulses are allowed [mm].
     double from_mm(const Place& place, std::size_t head, const Positions& at, double pulses) const noexcept;
-    /// How far back along a head's way its nearest place may come while it goes on, as a share of it.
-    double back_share(std::size_t head, const WayTolerance& tolerance) const noexcept;
+    /// How far back along a head's way its nearest place may come while it goes on, as a share of it; a line
+    /// is as long as it is for the tip's radius there.
+    double back_share(std::size_t head, const Positions& at, const WayTolerance& tolerance) const noexcept;
 
 private:
     /// Along the surface, radius, height.
     using Space = std::array<double, 3>;
     struct Head {
-        double length_mm;        ///< r: the larger of the two ends' radii
-        double least_length_mm;  ///< r: the smaller one
-        Space pulse_mm;          ///< r: the larger one
+        double length_mm;  ///< r: the larger of the two ends' radii
+        Space pulse_mm;    ///< r: the larger one
     };
     struct Off {
         Space mm;

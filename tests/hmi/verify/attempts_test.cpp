@@ -213,6 +213,20 @@ TEST_P(Attempts, GoOnWithinTheLayerButNotBeyondWhatWasCarvedOfIt) {
     EXPECT_EQ(first_of(report, 1).allowed, kStopped + 1.0);
 }
 
+// The operator stops it where it waits: it was the wrong point.
+TEST_P(Attempts, ThatOnlyGoInTakeNothingBack) {
+    const SampleJob job = wavy_job(GetParam());
+    PerfectMachine machine(job);
+    carve_into(machine, job, 2);
+    for (const Axis head : {Axis::r1, Axis::r2})
+        machine.move(head, job.view().max_radius_pulses(head) - machine.position[index_of(head)]);
+    machine.approach(2, 2).finish();
+    carve_from(machine, job, 2, kStopped);
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.points_visited, report.points_total);
+}
+
 TEST_P(Attempts, WithinALayerAreJudgedAllAlong) {
     const SampleJob job = wavy_job(GetParam());
     PerfectMachine machine(job);
@@ -226,6 +240,83 @@ TEST_P(Attempts, WithinALayerAreJudgedAllAlong) {
 INSTANTIATE_TEST_SUITE_P(Verify, Attempts,
                          ::testing::Values(Joining::continuous, Joining::zigzag, Joining::spiral),
                          [](const auto& named) { return "Case" + std::to_string(named.index); });
+
+/// Two layers roughed, and finished at the same heights.
+SampleJob job_of_two_passes() {
+    SampleJob job(Profile{}, kLayers, kPointsALayer, Joining::continuous,
+                  [](double, double layer) { return layer < 1.5 ? 10.0 : 8.0; });
+    const JobView view = job.view();
+    JobTable table;
+    table.layer_count = kLayers;
+    table.point_count = kPointsALayer;
+    table.psi_sweep_pulses = view.psi_sweep_pulses();
+    table.joining = Joining::continuous;
+    table.feed_mm_s = job.profile.job.feed_mm_s;
+    table.source_name = "passes.stl";
+    table.profile_toml = profile_to_toml(job.profile);
+    table.report_json = "{}";
+    table.layer_height_pulses = {100, 180, 100, 180};
+    for (std::uint32_t layer = 0; layer < kLayers; ++layer) {
+        table.r_left_pulses.insert(table.r_left_pulses.end(), view.r_left_pulses(layer).begin(),
+                                   view.r_left_pulses(layer).end());
+        table.r_right_pulses.insert(table.r_right_pulses.end(), view.r_right_pulses(layer).begin(),
+                                    view.r_right_pulses(layer).end());
+    }
+    JobPass roughing{};
+    roughing.kind = static_cast<std::uint32_t>(PassKind::roughing);
+    roughing.number = 1;
+    roughing.layer_count = 2;
+    roughing.allowance_mm = 2.0;
+    JobPass finishing{};
+    finishing.kind = static_cast<std::uint32_t>(PassKind::finishing);
+    finishing.number = 2;
+    finishing.first_layer = 2;
+    finishing.layer_count = 2;
+    table.passes = {roughing, finishing};
+    job.blob = job_blob_from_table(table);
+    return job;
+}
+
+// Heads that go in together to the finishing pass come by the place where roughing begins: nothing has begun
+// there, and what was wrong in the attempt before stays so.
+TEST(AttemptsOfPasses, ThatComeByAnothersBeginForgetNothing) {
+    const SampleJob job = job_of_two_passes();
+    const JobView view = job.view();
+    for (const bool is_wrong : {false, true}) {
+        PerfectMachine machine(job);
+        const auto out = [&] {
+            machine.line({24000 - machine.position[0], 24000 - machine.position[1], 0, 0});
+        };
+        const auto go_in = [&](std::uint32_t layer) {
+            out();
+            machine.move(Axis::psi, view.psi_pulses(layer, 0) - machine.position[2]);
+            machine.move(Axis::y, view.y_pulses(layer, 0) - machine.position[3]);
+            machine.set(Signal::spindle, true);
+            machine.line({view.r_left_pulses(layer)[0] - machine.position[0],
+                          view.r_right_pulses(layer)[0] - machine.position[1], 0, 0});
+        };
+        out();
+        for (const Axis axis : kAllAxes) machine.set(enable_of(axis), true);
+        go_in(0);
+        for (std::uint32_t step = 1; step < kPointsALayer; ++step) {
+            machine.to_point(0, step);
+            if (!is_wrong || step != 7) continue;
+            machine.line({0, 0, 40, 0});
+            machine.move(Axis::r1, -60).move(Axis::r1, 60);
+        }
+        go_in(1);
+        machine.layer(1);
+        go_in(2);
+        machine.finish();
+        go_in(2);
+        machine.layer(2);
+        go_in(3);
+        machine.layer(3).finish();
+        const VerifyReport report = verified(job, machine);
+        EXPECT_EQ(report.ok, !is_wrong) << report_text(report);
+        EXPECT_EQ(report.points_visited, report.points_total);
+    }
+}
 
 TEST(LayerRange, OfALayerThatTheJobHasNotAreRefused) {
     const SampleJob job = wavy_job();

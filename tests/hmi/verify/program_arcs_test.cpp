@@ -122,14 +122,14 @@ TEST(ProgramArcs, AreNotSlowedByTheRestBehindThem) {
             PlacedMachine machine = at_begin();
             machine.along(8, Circles{0.012});
             if (rest == "M3") machine.rest(0.01).spindle(true);
-            machine.rest(2.0).to({39, 41, 0, 10});
+            machine.rest(2.0).to({39, 41, 0, 10}).spindle(false);
             const std::string text = circle(0.012, feed) + rest + "\nG1 X39 F61\nM2\n";
             EXPECT_EQ(verdict(judged(begin_of("G64 P.01") + text, machine)), expected) << rest << feed;
         }
     }
     // Nor is the trace's end.
     PlacedMachine machine = at_begin();
-    machine.along(8, Circles{0.012}).rest(2.0).spindle(true);
+    machine.along(8, Circles{0.012}).rest(2.0).spindle(true).spindle(false);
     EXPECT_EQ(verdict(judged(begin_of("G64 P.01") + circle(0.012, "F0.6") + "M2\n", machine)), "feed 3");
 }
 
@@ -138,7 +138,7 @@ TEST(ProgramArcs, ThatNeedNoPulseMayTakeTheirTimeAtRest) {
     const std::string text = begin_of("G64 P.05") + circle(0.012, "F5") + "M3\nG1 X39 F61\nM2\n";
     for (const auto& [seconds, expected] : {std::pair{0.95, "ok"}, {0.1, "feed"}}) {
         PlacedMachine machine = at_begin();
-        machine.rest(seconds).spindle(true).rest(1.5).to({39, 41, 0, 10});
+        machine.rest(seconds).spindle(true).rest(1.5).to({39, 41, 0, 10}).spindle(false);
         const auto report = judged(text, machine);
         EXPECT_EQ(verdict(report).substr(0, 4), expected) << seconds << ": " << program_report_text(report);
     }
@@ -158,6 +158,7 @@ TEST(ProgramArcs, MayStayWhereALaterWayRests) {
             if (rest[0] == 'M' && rest[1] == '3') machine.rest(0.1).spindle(true);
             machine.rest(0.6);
             if (rest != "M2") machine.to({39, 41, 0, 10.02});
+            machine.spindle(false);
             const std::string text = circle(0.02, "P9 F60") + "G1 X39.98 Y10.02 F900\n" + rest + "\n";
             EXPECT_EQ(verdict(judged("G21 G90 G94 F900 G64 P.05\nG1 Y10\n" + text, machine, profile)),
                       expected)

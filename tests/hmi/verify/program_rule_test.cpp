@@ -133,6 +133,19 @@ TEST(ProgramRule, RefusesHeadsThatAreNotAtOnePlaceOfTheirWay) {
     EXPECT_EQ(verdict_of(blended, {{39.8, 37, 0, 0}, {39, 35, 0, 0}, {38, 35, 0, 0}}), "heads-apart 4");
 }
 
+// Where a way that turns comes in from far out, a share of it is long out there.
+TEST(ProgramRule, RefusesAPathThatGoesBackWhereATurningWayIsWide) {
+    const auto at = [](double share) {
+        return ProgramPlace{40 - 36 * share, 41 - 36 * share, -1080 * share, 0};
+    };
+    for (const double back_pulses : {0.0, 3.0, 20.0}) {
+        PlacedMachine machine;
+        machine.to(at(0.05)).to(at(0.05 - back_pulses / 19200.0)).to(at(0.05)).to(at(1.0));
+        const auto report = judged("G21 G90 G94 G64 P0.005 F300\nG1 X4 Z5 C-1080\nM2\n", machine);
+        EXPECT_EQ(verdict(report), back_pulses == 0.0 ? "ok" : "goes-back 2") << back_pulses;
+    }
+}
+
 TEST(ProgramRule, RefusesAPathThatGoesBack) {
     PlacedMachine machine;
     machine.to({39.5, 41, 4.5, 0}).to({39.8, 41, 1.8, 0}).to({39, 41, 9, 0});

@@ -269,7 +269,11 @@ TEST_F(PieceMemoryTest, GoesOnWithinALayerOnlyWhereItSawItCarvedSoFar) {
         sut.note(*header_, sample, vase_);
         return in_segment().next_layer;
     };
+    EXPECT_EQ(carve(1, 2, 2 * points), 0U) << "of this piece nothing is known";
+    EXPECT_EQ(carve(0, 0, 2), 0U);
+    EXPECT_EQ(carve(0, 2, points), 0U) << "the first layer's third point was never reached";
     EXPECT_EQ(carve(0, 0, points + 2), 1U);
+    EXPECT_EQ(carve(0, 1, points - 1), 1U) << "a part done again";
     EXPECT_EQ(carve(1, 2, 2 * points), 1U) << "its third point was never reached";
     EXPECT_EQ(carve(1, 1, 2 * points), 2U) << "its second was";
     EXPECT_EQ(carve(2, 1, 3 * points), 2U) << "of the layer after nothing is carved";

@@ -14,30 +14,29 @@ namespace psicarve::verify {
 
 /// Rule 1 by the job, and the others by PinRules.
 struct Verifier::State : PositionJudge {
-    State(const JobGeometry& geometry, const Profile& profile)
-        : surface(geometry),
+    State(const JobGeometry& of_job, const Profile& profile)
+        : geometry(of_job),
+          surface(geometry),
           path(geometry, surface, log),
           to_path(path, profile),
-          pins(profile, log, path.place(), *this),
-          first_layer(geometry.first_layer()),
-          layer_count(geometry.end_layer() - geometry.first_layer()),
-          is_whole_job(layer_count == geometry.layer_count() && geometry.first_step(first_layer) == 0),
-          points_total(geometry.total_points()) {}
+          pins(profile, log, path.place(), *this) {}
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override {
         to_path.redefine(time_ns, positions);
     }
 
+    std::uint32_t layer_count() const noexcept { return geometry.end_layer() - geometry.first_layer(); }
+    bool is_whole_job() const noexcept {
+        return layer_count() == geometry.layer_count() && geometry.first_step(geometry.first_layer()) == 0;
+    }
+
+    JobGeometry geometry;
     OffenceLog log;
     CarvedSurface surface;
     PathRule path;
     LiftFilter to_path;
     PinRules pins;
-    std::uint32_t first_layer;
-    std::uint32_t layer_count;
-    bool is_whole_job;
-    std::uint64_t points_total;
     Follower follower;
 };
 
@@ -86,14 +85,15 @@ VerifyReport Verifier::finish() {
     report.rules = s.log.rules();
     report.pulses = s.pins.pulses();
     report.points_visited = s.path.points_visited();
-    report.points_total = s.points_total;
-    report.first_layer = s.first_layer;
-    report.layer_count = s.layer_count;
-    report.is_whole_job = s.is_whole_job;
+    report.points_total = s.geometry.total_points();
+    report.first_layer = s.geometry.first_layer();
+    report.layer_count = s.layer_count();
+    report.is_whole_job = s.is_whole_job();
     report.max_deviation_pulses = s.surface.max_deviation_pulses();
     report.uncarved_cells = s.surface.uncarved_cells();
-    report.max_line_deviation_mm = s.path.max_line_deviation_mm();
-    report.max_line_deviation_pulses = s.path.max_line_deviation_pulses();
+    const LineExtent line = s.path.line_extent();
+    report.max_line_deviation_mm = line.mm;
+    report.max_line_deviation_pulses = line.pulses;
     report.carve_seconds = s.path.carve_seconds();
     report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());

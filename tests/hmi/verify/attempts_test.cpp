@@ -318,6 +318,21 @@ TEST(AttemptsOfPasses, ThatComeByAnothersBeginForgetNothing) {
     }
 }
 
+/// Psi turns through all of the second layer before Y has come to its height: its points are missed at once.
+TEST(LayerRange, MissedAtTheirEndAreNotMeasuredAgainstLinesBehindThem) {
+    const SampleJob job = wavy_job(Joining::continuous);
+    PerfectMachine machine(job);
+    machine.approach().layer(0);
+    machine.move(Axis::r1, 2000).move(Axis::r2, 2000);
+    const std::int64_t layers_turn_pulses = job.profile.psi.pulses_per_rev / 2;
+    machine.move(Axis::psi, layers_turn_pulses + 400).move(Axis::y, SampleJob::kLayerPulses);
+    machine.move(Axis::psi, 1).finish();
+    const VerifyReport report = verified(job, machine, {0, 2});
+    EXPECT_EQ(report.points_visited, kPointsALayer);
+    EXPECT_EQ(first_of(report, 1).fault, "point-missed");
+    EXPECT_LT(report.max_line_deviation_mm, 0.1);
+}
+
 TEST(LayerRange, OfALayerThatTheJobHasNotAreRefused) {
     const SampleJob job = wavy_job();
     const auto refused = Verifier::make(job.view(), job.profile, {4, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hmi/verify/path_segment.hpp"
+#include "hmi/verify/path/path_line.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hmi/verify/path/carving_begins.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace psicarve::verify {
+
+bool CarvingBegins::is_begin_of(std::uint32_t layer, const Positions& at) const noexcept {
+    const Positions begin = geometry_.target(layer, geometry_.first_step(layer));
+    return at[kY] == begin[kY] && at[0] == begin[0] && at[1] == begin[1] &&
+           (at[kPsi] - begin[kPsi]) % geometry_.rev_pulses() == 0;
+}
+
+bool CarvingBegins::is_near_first(const Positions& at, std::int64_t most_pulses) const noexcept {
+    const Positions begin = geometry_.target(first().layer, first().step);
+    const std::int64_t rest = std::abs((at[kPsi] - begin[kPsi]) % geometry_.rev_pulses());
+    return std::abs(at[0] - begin[0]) <= most_pulses && std::abs(at[1] - begin[1]) <= most_pulses &&
+           std::abs(at[kY] - begin[kY]) <= most_pulses &&
+           std::min(rest, geometry_.rev_pulses() - rest) <= most_pulses;
+}
+
+std::optional<std::uint32_t> CarvingBegins::layer_at(const Positions& at, const CarveProgress& progress) {
+    if (begins_y_ != at[kY]) {
+        begins_y_ = at[kY];
+        beginning_.clear();
+        for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
+            if (geometry_.target(layer, geometry_.first_step(layer))[kY] == at[kY])
+                beginning_.push_back(layer);
+        }
+    }
+    std::optional<std::uint32_t> found;
+    for (const std::uint32_t layer : beginning_) {
+        if (is_begin_of(layer, at) && (!found || layer == progress.due_layer())) found = layer;
+    }
+    return found;
+}
+
+/// The layer's point at this psi and y, whatever its radii.
+std::optional<std::uint32_t> CarvingBegins::step_at(std::uint32_t layer, const Positions& at) const noexcept {
+    const std::uint32_t last = geometry_.point_count() - 1;
+    const JobView& job = geometry_.job();
+    if (job.y_pulses(layer, 0) > at[kY] || job.y_pulses(layer, last) < at[kY]) return std::nullopt;
+    const std::int64_t rev = geometry_.rev_pulses();
+    const std::int64_t first_psi = geometry_.target(layer, 0)[kPsi];
+    const std::int64_t way = geometry_.target(layer, last)[kPsi] - first_psi;
+    const std::int64_t sign = way < 0 ? -1 : 1;
+    std::int64_t turned = (at[kPsi] - first_psi) * sign % rev;
+    if (turned < 0) turned += rev;
+    if (turned > way * sign) return std::nullopt;
+    std::uint32_t step = 0;  // the first that lies as far from the layer's begin
+    for (std::uint32_t end = last; step < end;) {
+        const std::uint32_t middle = step + (end - step) / 2;
+        if ((geometry_.target(layer, middle)[kPsi] - first_psi) * sign < turned) {
+            step = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    const Positions point = geometry_.target(layer, step);
+    const bool is_there = (point[kPsi] - first_psi) * sign == turned && point[kY] == at[kY];
+    return is_there ? std::optional(step) : std::nullopt;
+}
+
+std::optional<CarvePoint> CarvingBegins::point_at(const Positions& at, const CarveProgress& progress) {
+    look_for_points(at);
+    std::optional<CarvePoint> found;
+    for (const CarvePoint& point : plunge_points_) {
+        const Positions target = geometry_.target(point.layer, point.step);
+        if (target[0] != at[0] || target[1] != at[1]) continue;
+        if (!found || point.layer == progress.due_layer()) found = point;
+    }
+    return found;
+}
+
+/// Of all layers: once for a plunge of many pulses.
+void CarvingBegins::look_for_points(const Positions& at) {
+    if (plunge_ == std::pair{at[kPsi], at[kY]}) return;
+    plunge_ = {at[kPsi], at[kY]};
+    plunge_points_.clear();
+    for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
+        const auto step = step_at(layer, at);
+        if (step && *step + 1 < geometry_.point_count()) plunge_points_.push_back({layer, *step});
+    }
+}
+
+}  // namespace psicarve::verify

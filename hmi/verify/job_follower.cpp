@@ -38,6 +38,18 @@ void JobFollower::end(std::int64_t psi_offset_pulses) {
     place_ = {};
 }
 
+JobFollower::Kept JobFollower::kept() const {
+    return {progress_.kept(), times_, findings_.line_extent(), on_path_};
+}
+
+void JobFollower::restore(const Kept& earlier) {
+    progress_.restore(earlier.progress);
+    times_ = earlier.times;
+    findings_.begin_anew();
+    findings_.set_line_extent(earlier.line);
+    on_path_ = earlier.on_path;
+}
+
 std::uint32_t JobFollower::carved_point_of(CarvePoint point) const noexcept {
     return carved_point(geometry_.job().joining(), geometry_.point_count(), point.layer, point.step);
 }

@@ -46,6 +46,16 @@ public:
     void follow(std::int64_t time_ns, const Positions& at, bool psi_turned);
     /// The attempt has ended; from now on positions are the trace's, psi greater by this.
     void end(std::int64_t psi_offset_pulses);
+    /// What attempts have done, for when the one that begins turns out to be none.
+    struct Kept {
+        CarveProgress::Kept progress;
+        CarveTimes times;
+        LineExtent line;
+        std::optional<Positions> on_path;
+    };
+    Kept kept() const;
+    void restore(const Kept& earlier);
+
     /// Gives words to a breach that counted as the earliest.
     void report(std::int64_t time_ns, Offence offence);
     /// What is found from now on is found there.

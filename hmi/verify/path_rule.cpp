@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/verify/path_rule.hpp"
 
+#include <utility>
+
 #include "hmi/verify/path_offences.hpp"
 #include "shared/base/units.hpp"
 
@@ -41,6 +43,7 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
         follower_.wait_for(begins_.first());
     }
     if (follower_.phase() == Phase::done && ran && begins_.is_first(positions)) end_attempt(time_ns);
+    if (has_only_passed(positions)) restore_before();
     const bool begins = ran && may_begin(positions) && begin_attempt(time_ns, positions);
     follower_.findings().set_outward(is_outward(positions));
     if (!begins) follow(time_ns, positions, ran);
@@ -75,6 +78,12 @@ bool PathRule::has_only_gone_in() const noexcept {
            next.step == attempt_.begin.step + 1;
 }
 
+/// Between layers that are not judged the heads came by a judged one's first point on their way out.
+bool PathRule::has_only_passed(const Positions& positions) const noexcept {
+    return attempt_.was_elsewhere && has_only_gone_in() &&
+           follower_.way().leads_not_out(in_jobs_count(positions));
+}
+
 /// Heads that go in together may pass where an earlier pass begins: nothing has begun until psi turns.
 bool PathRule::may_begin(const Positions& positions) const noexcept {
     if (follower_.phase() == Phase::approach) return true;
@@ -103,36 +112,33 @@ bool PathRule::begin_attempt(std::int64_t time_ns, const Positions& positions) {
     if (!begin || (has_begun && *begin == attempt_.begin)) return false;
     // Carving passes a place where it must not begin.
     if (is_elsewhere_ && geometry_.job().is_joint(begin->layer, 0)) return false;
-    if (has_begun) {
-        restore_before();
-        follower_.wait_for(begins_.first());
-    }
-    is_elsewhere_ = !is_judged(*begin);
+    if (has_begun) restore_before();
+    const bool was_elsewhere = std::exchange(is_elsewhere_, !is_judged(*begin));
     if (is_elsewhere_) return true;
     start(*begin, time_ns, positions[kPsi]);
+    attempt_.was_elsewhere = was_elsewhere;
     follower_.reach(time_ns);
     return true;
 }
 
-void PathRule::keep_before() {
-    before_ = {follower_.progress().kept(), ledger_.kept(), follower_.findings().line_extent()};
-}
-
 /// Nothing has begun where it seemed so.
 void PathRule::restore_before() {
+    follower_.restore(before_.follower);
     ledger_.restore(before_.ledger);
-    follower_.progress().restore(before_.progress);
-    follower_.findings().set_line_extent(before_.line);
+    end_ = before_.end;
+    is_elsewhere_ = attempt_.was_elsewhere;
+    follower_.wait_for(begins_.first());
 }
 
 /// Begins to carve with a point: with the first one anew, or goes on with a later one.
 void PathRule::start(CarvePoint begin, std::int64_t time_ns, std::int64_t psi_pulses) {
-    keep_before();
+    before_ = {follower_.kept(), ledger_.kept(), end_};
     CarveProgress& progress = follower_.progress();
     const std::int64_t rev = geometry_.rev_pulses();
     const std::int64_t begin_psi = geometry_.target(begin.layer, begin.step)[kPsi];
     const double turns = static_cast<double>(psi_pulses - begin_psi) / static_cast<double>(rev);
-    attempt_ = {begin, begin != begins_.first(), false, round_to_pulse(turns) * rev};
+    attempt_ = {
+        .begin = begin, .goes_on = begin != begins_.first(), .psi_offset = round_to_pulse(turns) * rev};
     const std::uint32_t carved = progress.points_of(begin.layer);
     const bool leaves_layers_out = begin.layer > progress.due_layer();
     if (attempt_.goes_on) {
@@ -186,7 +192,7 @@ void PathRule::end_behind_judged_layers() {
 
 void PathRule::end_attempt(std::int64_t time_ns) {
     // It went in and no further: nothing was carved anew, and what was carved before is so still.
-    if (has_only_gone_in() && attempt_.goes_on) follower_.progress().restore(before_.progress);
+    if (has_only_gone_in() && attempt_.goes_on) follower_.progress().restore(before_.follower.progress);
     end_.is_complete = follower_.phase() == Phase::done;
     if (!end_.is_complete) end_ = {follower_.place(), time_ns, follower_.way().nearest(), false};
     follower_.end(attempt_.psi_offset);

@@ -59,6 +59,7 @@ private:
         CarvePoint begin;
         bool goes_on = false;         ///< with what others have carved
         bool is_guess = false;        ///< the path only passed near the first point
+        bool was_elsewhere = false;   ///< layers that are not judged were being carved
         std::int64_t psi_offset = 0;  ///< whole turns between the trace's count and the job's angle
     };
     /// How the last attempt ended.
@@ -70,22 +71,22 @@ private:
     };
     /// What was there before the attempt, should it be none.
     struct Before {
-        CarveProgress::Kept progress;
+        JobFollower::Kept follower;
         AttemptLedger::Kept ledger;
-        LineExtent line;
+        End end;
     };
 
     bool is_complete() const noexcept { return end_.is_complete; }
     Positions in_jobs_count(Positions positions) const noexcept;
     bool is_outward(const Positions& positions) const noexcept;
     bool has_only_gone_in() const noexcept;
+    bool has_only_passed(const Positions& positions) const noexcept;
     bool may_begin(const Positions& positions) const noexcept;
     std::optional<CarvePoint> begin_at(const Positions& positions);
     bool is_judged(CarvePoint begin) const noexcept;
     bool begin_attempt(std::int64_t time_ns, const Positions& positions);
     void start(CarvePoint begin, std::int64_t time_ns, std::int64_t psi_pulses);
     void leave_out(std::int64_t time_ns, const Offence& offence);
-    void keep_before();
     void restore_before();
     void follow(std::int64_t time_ns, const Positions& positions, bool spindle_on);
     void follow_approach(std::int64_t time_ns, const Positions& positions, bool spindle_on);

@@ -52,8 +52,8 @@ PointWay::HeightLine PointWay::height_line(std::int64_t psi_pulses) const noexce
             tolerance_pulses + kHeightSlackPulses + std::abs(rise / turn)};
 }
 
-bool PointWay::has_only_passed_link(const Positions& at) const noexcept {
-    if (!link_from_ || at[kPsi] != from_[kPsi] || at[kY] != from_[kY]) return false;
+bool PointWay::leads_not_out(const Positions& at) const noexcept {
+    if (at[kPsi] != from_[kPsi] || at[kY] != from_[kY]) return false;
     bool is_on_lines = true;
     for (std::size_t h = 0; h < kHeadCount; ++h) {
         const std::int64_t outward = at[index_of(kHeads[h])] - from_[index_of(kHeads[h])];

@@ -60,9 +60,13 @@ public:
         double allowed;
     };
     HeightLine height_line(std::int64_t psi_pulses) const noexcept;
+    /// From the way's begin the heads go straight out, psi and Y still, where no line leads.
+    bool leads_not_out(const Positions& at) const noexcept;
     /// A pass whose first point lies where the heads go out from the pass before: there they were on their
     /// way, and still are.
-    bool has_only_passed_link(const Positions& at) const noexcept;
+    bool has_only_passed_link(const Positions& at) const noexcept {
+        return link_from_.has_value() && leads_not_out(at);
+    }
 
     /// The axes are here and not at the point.
     void note(const Positions& at) noexcept { near_.note(at, to_); }

@@ -20,6 +20,12 @@ void add_verification(RunReport& report, Result<verify::VerifyReport> verificati
     }
 }
 
+void add_recorded_verification(RunReport& report, Result<verify::VerifyReport> verification) {
+    if (!verification) return add_verification(report, std::move(verification));
+    report.figures.pulses = verification->pulses;
+    report.verification = std::move(verification).value();
+}
+
 void miss(RunReport& report, const std::string& what) {
     if (!report.failure)
         report.failure =

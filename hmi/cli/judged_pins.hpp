@@ -15,6 +15,9 @@ namespace psicarve::cli {
 /// A job that was not carved to its end is neither right nor wrong, but its pulses count.
 void add_verification(RunReport& report, Result<verify::VerifyReport> verification);
 
+/// Of a recording that was repeated: what it asked for is judged as far as it went.
+void add_recorded_verification(RunReport& report, Result<verify::VerifyReport> verification);
+
 /// Adds a failure for an output that was asked for and that only a verification gives.
 void miss(RunReport& report, const std::string& what);
 /// For a run whose pins must be judged: if they were not, the run has failed.

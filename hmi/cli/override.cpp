@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
@@ -20,12 +21,25 @@ constexpr CommandText kOverrideText{
     "them.",
     "psicarve override 80"};
 
+constexpr std::uint32_t kMostNumber = ~std::uint32_t{0};
+
 struct OverrideOptions {
     std::uint32_t percent = kFullFeed_percent;
     bool is_of_rapids = false;
 };
 
+/// What the numbers may be depends on the flag.
+Result<void> check_percent(const OverrideOptions& options) {
+    const std::uint32_t most = options.is_of_rapids ? kFullFeed_percent : kMostOverride_percent;
+    if (options.percent >= kLeastOverride_percent && options.percent <= most) return {};
+    return Error{ErrorCode::bad_usage, "PERCENT: Value " + std::to_string(options.percent) +
+                                           " not in range " + std::to_string(kLeastOverride_percent) +
+                                           " to " + std::to_string(most) +
+                                           " (see: psicarve override --help)"};
+}
+
 Result<int> override_speed(const CommonOptions& common, const OverrideOptions& options) {
+    if (const auto fits = check_percent(options); !fits) return fits.error();
     auto link = link_to_core(common);
     if (!link) return link.error();
     Command details{};
@@ -52,8 +66,7 @@ void add_override(CommandSet& commands) {
     commands
         .add(kOverrideText,
              [options](const CommonOptions& common) { return override_speed(common, *options); })
-        .argument("PERCENT", options->percent, kLeastOverride_percent, kMostOverride_percent,
-                  "10 to 200; 100 is the feed as planned")
+        .argument("PERCENT", options->percent, 0, kMostNumber, "10 to 200; 100 is the feed as planned")
         .flag("--rapids", options->is_of_rapids, "of a program's rapid ways, 10 to 100");
 }
 

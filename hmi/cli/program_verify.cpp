@@ -4,12 +4,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "hmi/cli/exit_code.hpp"
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/run_offsets.hpp"
+#include "hmi/cli/source_text.hpp"
 #include "hmi/gcode/machine_options.hpp"
 #include "hmi/verify/judged_trace.hpp"
 
@@ -21,6 +23,7 @@ constexpr double kPercent = 100.0;
 struct JudgedOffsets {
     gcode::KeptOffsets kept;
     std::string doubt;  ///< empty: the run began with them
+    std::optional<offsets::ProfileMark> made_with{};
 };
 
 /// Those that a file says, that the run has left beside its trace, or that the machine has now.
@@ -33,7 +36,7 @@ Result<JudgedOffsets> offsets_of_trace(const CommonOptions& common, const Profil
         if (named.empty() || std::filesystem::exists(named, none)) {
             const auto read = offsets::read_offsets(place, profile.gcode);
             if (!read) return read.error();
-            return JudgedOffsets{read->kept, {}};
+            return JudgedOffsets{read->kept, {}, read->profile};
         }
         return bad_input(named + ": there is no such file");
     }
@@ -42,6 +45,19 @@ Result<JudgedOffsets> offsets_of_trace(const CommonOptions& common, const Profil
     return JudgedOffsets{now->kept, place.path +
                                         " is not there; judged by the work offsets of now, --offsets FILE "
                                         "names those that the program began with"};
+}
+
+/// Other limits judge any trace, but the way of its tips is that of its own machine: screws with play have
+/// pulses that move none.
+Result<void> check_profile(const std::string& trace_path, const JudgedOffsets& offsets,
+                           const Profile& profile, const verify::ProgramVerifyReport& report) {
+    const auto& made_with = offsets.made_with;
+    const bool is_its_own = !made_with || made_with->hash == profile_hash(profile);
+    if (is_its_own || report.rules[0].offences == 0) return {};
+    return bad_input(
+        trace_path + ": another profile than the trace was made with, which was \"" + made_with->name +
+        "\" (" + hash_text(made_with->hash) + "); it is not on its program's way by \"" + profile.name +
+        "\" (" + hash_text(profile_hash(profile)) + "): name the one that it was made with: --profile FILE");
 }
 
 }  // namespace
@@ -83,6 +99,8 @@ Result<int> verify_program(const CommonOptions& common, const std::string& trace
         if (failure.message.starts_with("line ")) failure.message = options.program + ": " + failure.message;
         return failure;
     }
+    const auto is_judged = check_profile(trace_path, *offsets, *profile, *report);
+    if (!is_judged) return is_judged.error();
     const std::string text = common.json ? verify::program_report_json(*report).dump(2) + "\n"
                                          : verify::program_report_text(*report);
     std::printf("%s", text.c_str());

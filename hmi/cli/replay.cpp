@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
@@ -11,6 +12,7 @@
 #include "hmi/machine/private_segment.hpp"
 #include "hmi/machine/unique_fd.hpp"
 #include "hmi/trace/carried_job.hpp"
+#include "hmi/verify/asked_carving.hpp"
 #include "shared/machine/unreplayed_program.hpp"
 #include "shared/record/snapshot_file.hpp"
 
@@ -53,6 +55,7 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     Result<machine::UniqueFd> file = machine::UniqueFd{};
     if (is_trace) file = machine::open_memory_file("job", snapshot_bytes(*snapshot));
     if (!file) return file.error();
+    const std::vector<FlightRecord> records = snapshot->records;
     const auto job = job_of_snapshot(std::move(snapshot).value(), options.path, common);
     if (!job) return job.error();
     for (const std::string& warning : job->warnings) print_warning(warning);
@@ -70,7 +73,9 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     const auto run_it = [](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
         return machine::follow_replay(core.link(), core.core(), watch);
     };
-    return simulated_run(std::move(launch), *job, {run_it, options.picture, common.json});
+    return simulated_run(
+        std::move(launch), *job,
+        {run_it, options.picture, common.json, nullptr, verify::asked_carving(job->view, records)});
 }
 
 }  // namespace

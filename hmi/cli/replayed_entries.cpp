@@ -75,4 +75,26 @@ EntryComparison compare_entries(std::span<const FlightRecord> recorded,
     return found;
 }
 
+std::uint64_t untold_ticks(std::span<const FlightRecord> entries, std::span<const FlightRecord> records,
+                           std::int64_t period_ns) {
+    // Longer ones are told as starving.
+    constexpr std::int64_t kUntoldWait_ns = 200'000'000;
+    if (entries.empty() || period_ns <= 0) return 0;
+    // Numbers of a file may be anything.
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 48U;
+    std::uint64_t ticks = static_cast<std::uint64_t>(kUntoldWait_ns / period_ns);
+    for (const FlightRecord& record : records) {
+        const bool is_while_it_ran =
+            record.tick >= entries.front().tick && record.tick <= entries.back().tick;
+        if (record.kind == RecordKind::gap && is_while_it_ran)
+            ticks += std::min(static_cast<std::uint64_t>(std::max<std::int64_t>(record.value, 0)), kMost);
+    }
+    return ticks;
+}
+
+bool is_as_recorded(const EntryComparison& compared, std::uint64_t untold_ticks) noexcept {
+    if (compared.first_other || compared.most_ticks > untold_ticks) return false;
+    return compared.most_ticks != 0 || compared.most_pulses == 0;
+}
+
 }  // namespace psicarve::cli

@@ -26,4 +26,13 @@ struct EntryComparison {
 EntryComparison compare_entries(std::span<const FlightRecord> recorded,
                                 std::span<const FlightRecord> replayed);
 
+/// By so many ticks entries of a real clock's recording may lie elsewhere for what a recorder does not tell:
+/// where within its gaps ticks were missed, and a wait for a block that was too short to be told. `entries`:
+/// the program's; `records`: all.
+std::uint64_t untold_ticks(std::span<const FlightRecord> entries, std::span<const FlightRecord> records,
+                           std::int64_t period_ns);
+/// The recording was repeated, as exactly as it tells. untold_ticks: nothing for a virtual clock's. An axis
+/// that stood elsewhere at the very tick was somewhere else.
+bool is_as_recorded(const EntryComparison& compared, std::uint64_t untold_ticks) noexcept;
+
 }  // namespace psicarve::cli

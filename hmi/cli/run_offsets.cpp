@@ -57,7 +57,7 @@ Result<offsets::Offsets> kept_offsets(const CommonOptions& common, const Profile
 Result<RunOffsets> RunOffsets::read(const CommonOptions& common, const Profile& profile, bool keeps) {
     auto place = offsets_place(common);
     if (!place) return place.error();
-    RunOffsets made{std::move(*place), offsets_owner(common), profile.gcode, keeps};
+    RunOffsets made{std::move(*place), offsets_owner(common), profile, keeps};
     if (const auto read = made.read_again(); !read) return read.error();
     return made;
 }
@@ -128,7 +128,8 @@ void RunOffsets::write_beside(const std::string& trace_path) const {
     if (trace_path.empty() || !std::filesystem::is_regular_file(trace_path, none)) return;
     offsets::OffsetsPlace beside;
     beside.path = offsets::path_beside_trace(trace_path);
-    if (const auto written = offsets::write_offsets(beside, {begin_.kept, {}}, letters_); !written)
+    if (const auto written = offsets::write_offsets(beside, {begin_.kept, {}, made_with_}, letters_);
+        !written)
         print_warning(written.error().message);
 }
 

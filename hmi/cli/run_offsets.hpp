@@ -44,17 +44,21 @@ public:
     Result<void> finish(const gcode::KeptOffsets& left, bool is_in_order, const Segment& segment,
                         std::uint64_t program);
 
-    /// Beside a trace that was written, for whoever judges it later.
+    /// Beside a trace that was written, and with which profile, for whoever judges it later.
     void write_beside(const std::string& trace_path) const;
 
 private:
-    RunOffsets(offsets::OffsetsPlace place, offsets::OffsetsOwner owner, GcodeProfile letters,
-               bool keeps) noexcept
-        : place_(std::move(place)), owner_(std::move(owner)), letters_(letters), keeps_(keeps) {}
+    RunOffsets(offsets::OffsetsPlace place, offsets::OffsetsOwner owner, const Profile& profile, bool keeps)
+        : place_(std::move(place)),
+          owner_(std::move(owner)),
+          letters_(profile.gcode),
+          made_with_{profile.name, profile_hash(profile)},
+          keeps_(keeps) {}
 
     offsets::OffsetsPlace place_;
     offsets::OffsetsOwner owner_;
     GcodeProfile letters_;
+    offsets::ProfileMark made_with_;
     bool keeps_;
     offsets::Offsets begin_;
     bool has_promised_ = false;

@@ -50,9 +50,11 @@ std::string verification_text(const RunReport& report) {
     const verify::VerifyReport& seen = *report.verification;
     if (!seen.ok) return "NO: " + report::difference_text(seen);
     if (!report.lost_steps.empty()) return "NO: the pins are right, and the simulated machine lost steps";
-    std::string text = formatted("yes: %llu points visited exactly, largest deviation %lld pulses",
-                                 static_cast<unsigned long long>(seen.points_visited),
-                                 static_cast<long long>(seen.max_deviation_pulses));
+    if (seen.is_dry) return "yes: a dry run, whose pins obey rules 2 to 4; it carves nothing";
+    std::string text =
+        formatted("yes: %llu points visited exactly%s, largest deviation %lld pulses",
+                  static_cast<unsigned long long>(seen.points_visited), verify::judged_text(seen).c_str(),
+                  static_cast<long long>(seen.max_deviation_pulses));
     if (seen.uncarved_cells > 0) {
         text += formatted(", %llu cells of the surface reached by no tip",
                           static_cast<unsigned long long>(seen.uncarved_cells));

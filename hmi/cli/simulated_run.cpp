@@ -38,6 +38,11 @@ Result<verify::VerifyReport> finish(machine::VerifiedCore& core, const machine::
     return verified;
 }
 
+/// The recording may end in an alarm; any other failure is the replay's own.
+bool is_recording_repeated(const RunReport& report) {
+    return !report.failure || report.last.state == MachineState::alarm;
+}
+
 /// The core's messages during the run: warnings, and traces that could not be written. The first of these is
 /// the run's failure, and reported as such.
 void pass_on_messages(const std::string& said, const std::vector<std::string>& trace_paths,
@@ -65,11 +70,16 @@ Result<int> simulated_run(machine::CoreLaunch launch, const PreparedJob& job, co
     const bool must_be_verified = !launch.on_real_clock;
     auto core = machine::VerifiedCore::start(
         std::move(launch), job.view, job.profile,
-        what.piece != nullptr ? follower_of(*what.piece) : verify::Verifier::Follower{});
+        what.piece != nullptr ? follower_of(*what.piece) : verify::Verifier::Follower{},
+        what.asked.value_or(verify::AskedCarving{}));
     if (!core) return core.error();
     const machine::JobRun run = watched_run(*core, job.view, what, operator_break);
     RunReport report = report_of(job.view, run);
-    add_verification(report, finish(*core, run, operator_break, report));
+    auto verification = finish(*core, run, operator_break, report);
+    if (what.asked && is_recording_repeated(report))
+        add_recorded_verification(report, std::move(verification));
+    else
+        add_verification(report, std::move(verification));
     pass_on_messages(core->core().messages(), trace_paths, report);
     warn_of_lost_pins(report);
     add_picture(report, job.view, core->surface(), what.picture_path);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hmi/cli/carved_piece.hpp"
@@ -10,6 +11,7 @@
 #include "hmi/machine/core_process.hpp"
 #include "hmi/machine/job_run.hpp"
 #include "hmi/machine/verified_core.hpp"
+#include "hmi/verify/asked_carving.hpp"
 
 namespace psicarve::cli {
 
@@ -19,6 +21,8 @@ struct SimulatedRun {
     std::string picture_path;  ///< empty: no picture
     bool as_json = false;
     const std::unique_ptr<CarvedPiece>* piece = nullptr;  ///< null: no piece is wanted
+    /// Of a recording, whose own starts are repeated; nothing: the whole job is to be carved.
+    std::optional<verify::AskedCarving> asked{};
 };
 
 /// Carves or replays on a core of our own: starts it, runs, ends it, judges its pins, draws the picture,

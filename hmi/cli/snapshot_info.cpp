@@ -93,6 +93,10 @@ bool is_of_job(const Snapshot& snapshot) {
     return snapshot.checkpoint && snapshot.checkpoint->job_checksum == job_checksum(snapshot.job_blob);
 }
 
+ProgramStatus program_of(const Snapshot& snapshot) {
+    return recorded_program(snapshot.records, snapshot.status ? &*snapshot.status : nullptr);
+}
+
 Json info_json(const Snapshot& snapshot, const std::optional<InfoJob>& job, std::size_t first_record) {
     auto records = Json::array();
     for (std::size_t i = first_record; i < snapshot.records.size(); ++i) {
@@ -105,7 +109,7 @@ Json info_json(const Snapshot& snapshot, const std::optional<InfoJob>& job, std:
             {"job", job ? job_json(*job) : Json(nullptr)},
             {"status", snapshot.status ? report::status_json(*snapshot.status) : Json(nullptr)},
             {"checkpoint", checkpoint_json(snapshot.checkpoint, is_of_job(snapshot))},
-            {"program", recorded_program_json(recorded_program(snapshot.records))},
+            {"program", recorded_program_json(program_of(snapshot))},
             {"program_source", source_json(snapshot.source.get())},
             {"record_count", snapshot.records.size()},
             {"records", records}};
@@ -149,7 +153,7 @@ void print_info(const Snapshot& snapshot, const std::optional<InfoJob>& job, std
     }
     std::printf("%s", checkpoint_text(snapshot.checkpoint, is_of_job(snapshot)).c_str());
     const bool may_run = !snapshot.status || runs_job(snapshot.status->state);
-    std::printf("%s", recorded_program_text(recorded_program(snapshot.records), may_run).c_str());
+    std::printf("%s", recorded_program_text(program_of(snapshot), may_run).c_str());
     std::printf("%s", source_text(snapshot.source.get()).c_str());
     if (snapshot.records.empty() || first_record == snapshot.records.size()) return;
     std::printf("\nflight recorder, the last %zu of %zu entries\n", snapshot.records.size() - first_record,

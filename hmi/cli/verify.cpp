@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "hmi/cli/carved_piece.hpp"
 #include "hmi/cli/commands.hpp"
@@ -44,6 +45,10 @@ struct VerifyOptions {
     ProgramVerifyOptions program;
 };
 
+bool has_layers(const VerifyOptions& options) {
+    return options.layers.first != 0 || options.layers.count != 0 || options.from_point != kFromBegin;
+}
+
 std::string json_of(const verify::VerifyReport& report, const std::unique_ptr<CarvedPiece>& piece) {
     auto object = nlohmann::ordered_json::parse(verify::report_json(report));
     if (piece && piece->deviation())
@@ -75,10 +80,22 @@ Result<Snapshot> load_job_of(const VerifyOptions& options) {
     return fits ? std::move(snapshot) : fits.error();
 }
 
-Result<PreparedJob> job_of_trace(const CommonOptions& common, const VerifyOptions& options) {
+struct JobToJudge {
+    PreparedJob job;
+    verify::AskedCarving asked;
+};
+
+/// A snapshot that is named as the job tells what was asked for, unless the command line does.
+Result<JobToJudge> job_of_trace(const CommonOptions& common, const VerifyOptions& options) {
     auto snapshot = load_job_of(options);
     if (!snapshot) return snapshot.error();
-    return job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
+    const std::vector<FlightRecord> records = std::move(snapshot->records);
+    auto job = job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
+    if (!job) return job.error();
+    JobToJudge found{std::move(*job), {options.layers}};
+    if (has_layers(options)) return found;
+    if (const auto asked = verify::asked_carving(found.job.view, records)) found.asked = *asked;
+    return found;
 }
 
 /// A core's own trace may hold several jobs, and then the command line must say which.
@@ -92,9 +109,7 @@ Result<void> check_has_one_job(const VerifyOptions& options, const verify::Trace
 
 /// What is drawn and compared is a job's piece.
 Result<int> verify_by_program(const CommonOptions& common, const VerifyOptions& options) {
-    const bool has_layers =
-        options.layers.first != 0 || options.layers.count != 0 || options.from_point != kFromBegin;
-    if (!options.trace.empty() || !options.picture.empty() || options.files.any() || has_layers)
+    if (!options.trace.empty() || !options.picture.empty() || options.files.any() || has_layers(options))
         return Error{ErrorCode::bad_usage,
                      "--program: with a trace alone, as psicarve verify TRACE --program FILE"};
     return verify_program(common, options.job, options.program);
@@ -108,8 +123,9 @@ Result<int> verify_files(const CommonOptions& common, VerifyOptions options) {
         options.trace = options.job;
     if (const auto writable = check_output_folder(options.picture); !writable) return writable.error();
     if (const auto writable = check_piece_files(options.files); !writable) return writable.error();
-    const auto job = job_of_trace(common, options);
-    if (!job) return job.error();
+    const auto found = job_of_trace(common, options);
+    if (!found) return found.error();
+    const PreparedJob* const job = &found->job;
     for (const std::string& warning : job->warnings) print_warning(warning);
     const auto trace = verify::open_trace(options.trace);
     if (!trace) return trace.error();
@@ -119,7 +135,7 @@ Result<int> verify_files(const CommonOptions& common, VerifyOptions options) {
             ": does not say where the axes stood at its begin, as "
             "\"$comment position_pulses r1=... r2=... psi=... y=... $end\" would; all are taken to be 0");
     }
-    auto verifier = verify::Verifier::make(job->view, job->profile, options.layers);
+    auto verifier = verify::Verifier::make_for(job->view, job->profile, found->asked);
     if (!verifier) return bad_input(options.job + ": " + verifier.error().message);
     auto model = model_of_job(options.files.model, *job);
     if (!model) return model.error();

@@ -23,8 +23,9 @@ void drain(int fd) {
 
 Result<std::unique_ptr<PipeVerification>> PipeVerification::start(const JobView& job, const Profile& profile,
                                                                   UniqueFd read_end,
-                                                                  verify::Verifier::Follower follower) {
-    auto verifier = verify::Verifier::make(job, profile);
+                                                                  verify::Verifier::Follower follower,
+                                                                  const verify::AskedCarving& asked) {
+    auto verifier = verify::Verifier::make_for(job, profile, asked);
     if (!verifier) return verifier.error();
     std::unique_ptr<PipeVerification> made{new PipeVerification{std::move(verifier).value()}};
     if (follower) {

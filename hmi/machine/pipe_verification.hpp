@@ -22,7 +22,8 @@ public:
     /// The job's blob outlives this. Takes the pipe's read end. The follower is called on that thread.
     static Result<std::unique_ptr<PipeVerification>> start(const JobView& job, const Profile& profile,
                                                            UniqueFd read_end,
-                                                           verify::Verifier::Follower follower = {});
+                                                           verify::Verifier::Follower follower = {},
+                                                           const verify::AskedCarving& asked = {});
     ~PipeVerification();
     PipeVerification(const PipeVerification&) = delete;
     PipeVerification& operator=(const PipeVerification&) = delete;

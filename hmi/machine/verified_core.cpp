@@ -16,7 +16,8 @@ constexpr std::chrono::seconds kStandstill{10};
 }  // namespace
 
 Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, const Profile& profile,
-                                         verify::Verifier::Follower follower) {
+                                         verify::Verifier::Follower follower,
+                                         const verify::AskedCarving& asked) {
     const std::string toml = profile_to_toml(profile);
     const auto profile_file = open_memory_file("profile", std::as_bytes(std::span{toml}));
     if (!profile_file) return profile_file.error();
@@ -31,7 +32,8 @@ Result<VerifiedCore> VerifiedCore::start(CoreLaunch launch, const JobView& job, 
     pipe->write_end.reset();
     auto link = MachineLink::attach(launch.segment_name, launch.group);
     if (!link) return link.error();
-    auto verification = PipeVerification::start(job, profile, std::move(pipe->read_end), std::move(follower));
+    auto verification =
+        PipeVerification::start(job, profile, std::move(pipe->read_end), std::move(follower), asked);
     if (!verification) return verification.error();
     return VerifiedCore{std::move(verification).value(), std::move(core).value(), std::move(link).value()};
 }

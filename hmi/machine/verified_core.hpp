@@ -20,7 +20,8 @@ public:
     /// Starts the core that `launch` describes, with the profile, and a trace into our verifier besides those
     /// that `launch` names; `follower` is called until finish(). The job's blob outlives this.
     static Result<VerifiedCore> start(CoreLaunch launch, const JobView& job, const Profile& profile,
-                                      verify::Verifier::Follower follower = {});
+                                      verify::Verifier::Follower follower = {},
+                                      const verify::AskedCarving& asked = {});
 
     MachineLink& link() noexcept { return link_; }
     CoreProcess& core() noexcept { return core_; }

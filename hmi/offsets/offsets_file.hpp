@@ -31,10 +31,18 @@ struct Pending {
     bool operator==(const Pending&) const = default;
 };
 
+/// With which machine's profile a recorded run was made.
+struct ProfileMark {
+    std::string name;
+    std::uint64_t hash = 0;  ///< profile_hash()
+    bool operator==(const ProfileMark&) const = default;
+};
+
 /// What a file of work offsets says.
 struct Offsets {
     gcode::KeptOffsets kept;
     std::optional<Pending> pending{};
+    std::optional<ProfileMark> profile{};  ///< beside a trace
     bool operator==(const Offsets&) const = default;
 };
 

@@ -153,6 +153,11 @@ public:
         return read;
     }
 
+    ProfileMark profile(const Json& object) {
+        allow_only(object, {"name", "xxh3"});
+        return {name(object, "name"), count(object, "xxh3")};
+    }
+
     Pending pending(const Json& object) {
         allow_only(object, {"segment", "boot_id", "core_pid", "core_start_time", "program", "offsets"});
         Pending read;
@@ -189,6 +194,9 @@ std::string text_of(const Offsets& offsets, const GcodeProfile& letters) {
     Json object{
         {kFormatKey, kFormat}, {"letters", name_of_letters(letters)}, {"second_head", name_of_head(letters)}};
     object.update(json_of(offsets.kept));
+    if (offsets.profile)
+        object["profile"] = {{"name", offsets.profile->name.substr(0, kMostNameBytes)},
+                             {"xxh3", offsets.profile->hash}};
     if (offsets.pending) object["pending"] = json_of(*offsets.pending);
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -203,8 +211,8 @@ Result<Offsets> offsets_from(std::string_view text, const GcodeProfile& letters)
     if (format > kFormat)
         return begin_anew("has format " + std::to_string(format) + " of a newer psicarve; use that one");
     Reading reading;
-    reading.allow_only(object,
-                       {kFormatKey, "letters", "second_head", "systems", "g92", "g28", "g30", "pending"});
+    reading.allow_only(
+        object, {kFormatKey, "letters", "second_head", "systems", "g92", "g28", "g30", "profile", "pending"});
     const auto is_word = [&](const char* key, std::string_view wanted) {
         return object.contains(key) && object[key].is_string() && object[key].get<std::string>() == wanted;
     };
@@ -214,6 +222,7 @@ Result<Offsets> offsets_from(std::string_view text, const GcodeProfile& letters)
                           std::string{name_of_head(letters)} + "\"; use the profile that they are of");
     Offsets read;
     read.kept = reading.kept(object);
+    if (object.contains("profile")) read.profile = reading.profile(reading.object_in(object, "profile"));
     if (object.contains("pending")) read.pending = reading.pending(reading.object_in(object, "pending"));
     if (reading.is_wrong()) return begin_anew(reading.what() + "; mend it");
     return read;

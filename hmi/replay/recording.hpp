@@ -14,6 +14,7 @@
 #include "hmi/replay/trace_index.hpp"
 #include "hmi/session/level_history.hpp"
 #include "hmi/session/preflight.hpp"
+#include "hmi/verify/asked_carving.hpp"
 
 namespace psicarve::replay {
 
@@ -41,6 +42,8 @@ public:
         std::int64_t period_ns = 0;
         JobPointer job;   ///< may be missing
         Profile profile;  ///< the job's; else the one assumed for the machine
+        /// What the flight recorder of a trace's run says that was to be carved.
+        std::optional<verify::AskedCarving> asked;
         bool knows_states = false;
         bool knows_every_pulse = false;
         std::vector<Entry> entries;            ///< by time

@@ -7,6 +7,8 @@
 
 #include "hmi/phrase/error_phrase.hpp"
 #include "hmi/replay/pin_looks.hpp"
+#include "shared/base/shared_text.hpp"
+#include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::replay {
 namespace {
@@ -72,7 +74,29 @@ void SnapshotRecording::list_contents() {
         {phrase("Job"), facts_.job ? phrase("in it") : phrase("none"), facts_.job ? V::pass : V::info});
     rows.push_back({phrase("Between entries"), phrase("as at the last"), V::info});
     rows.push_back({phrase("Every pulse"), phrase("only in a trace"), V::info});
+    list_program();
     rows.push_back({phrase("Carved piece"), facts_.job ? phrase("as planned") : phrase("unknown"), V::info});
+}
+
+/// Its text is not in a snapshot, and its pulses are to be had by that alone.
+void SnapshotRecording::list_program() {
+    const ProgramStatus last =
+        recorded_program(snapshot_.records, snapshot_.status ? &*snapshot_.status : nullptr);
+    if (last.program == 0 && last.line == 0) return;
+    auto& rows = facts_.contents;
+    session::Phrase text = phrase("of an unknown text");
+    if (snapshot_.source != nullptr) {
+        const ProgramSource& source = snapshot_.source->source;
+        text = (source.flags & kSourceIsStream) != 0
+                   ? phrase("from standard input")
+                   : phrase("%1, %2 bytes", std::string{text_from_field(source.name)},
+                            std::to_string(source.text_bytes));
+    }
+    rows.push_back({phrase("Program"), std::move(text), V::info});
+    rows.push_back({phrase("Its line at the end"),
+                    last.line == 0 ? phrase("not reached") : phrase("%1", std::to_string(last.line)),
+                    V::info});
+    rows.push_back({phrase("To run it again"), phrase("replay --program FILE"), V::info});
 }
 
 void SnapshotRecording::fill_from_entry(std::int64_t time_ns, Shown& shown) const {

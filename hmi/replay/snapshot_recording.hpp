@@ -23,6 +23,7 @@ public:
 private:
     SnapshotRecording() = default;
     void list_contents();
+    void list_program();
     void fill_from_entry(std::int64_t time_ns, Shown& shown) const;
     void look_back(Shown& shown) const;
 

@@ -144,6 +144,7 @@ void TraceRecording::take_records(const Company& company) {
     states_ = std::move(states);
     facts_.knows_states = !states_.is_empty();
     record_count_ = company.records.size();
+    if (company.job) facts_.asked = verify::asked_carving(company.job->view, company.records);
     facts_.entries.clear();
     for (const FlightRecord& record : company.records)
         facts_.entries.push_back(entry_of(record, time_of_ticks(record.tick, index_->start().period_ns)));

@@ -31,13 +31,14 @@ Result<JobPointer> job_of(const std::string& path, const JobPointer& open_job) {
 }
 
 Result<std::shared_ptr<const Judgement>> judged(const std::string& path, const JobPointer& open_job,
+                                                const verify::AskedCarving& asked,
                                                 const std::atomic<bool>& cancels) {
     const auto own = job_of(path, open_job);
     if (!own) return own.error();
     const JobPointer& job = *own;
     const auto trace = verify::open_trace(path);
     if (!trace) return trace.error();
-    auto verifier = verify::Verifier::make(job->view, job->profile);
+    auto verifier = verify::Verifier::make_for(job->view, job->profile, asked);
     if (!verifier) return verifier.error();
     auto kept = std::make_shared<verify::Verifier>(std::move(*verifier));
     auto report = verify::verify_trace(*kept, **trace, [&cancels] { return !cancels.load(); });
@@ -45,15 +46,26 @@ Result<std::shared_ptr<const Judgement>> judged(const std::string& path, const J
     return std::make_shared<const Judgement>(Judgement{path, job, std::move(*report), std::move(kept)});
 }
 
+/// Layers and points as the window counts them, from 1.
+Phrase judged_part(const verify::VerifyReport& report) {
+    if (report.is_dry) return phrase("the pulses of a dry run");
+    if (report.is_whole_job) return phrase("the whole job");
+    const std::string first = std::to_string(report.first_layer + 1);
+    const std::string last = std::to_string(report.first_layer + report.layer_count);
+    if (!report.first_point) return phrase("layers %1 to %2", first, last);
+    return phrase("layers %1 to %2, from point %3 on", first, last, std::to_string(*report.first_point + 1));
+}
+
 }  // namespace
 
-void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job) {
+void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job,
+                       const verify::AskedCarving& asked) {
     if (is_judging_) return;
     is_judging_ = true;
     cancels_.store(false);
     log_.add(Severity::info, phrase("Verifying %1", std::filesystem::path{path}.filename().string()));
-    queue_.post([this, path, job = std::move(job)]() -> BackgroundQueue::Finish {
-        const auto judgement = judged(path, job, cancels_);
+    queue_.post([this, path, job = std::move(job), asked]() -> BackgroundQueue::Finish {
+        const auto judgement = judged(path, job, asked, cancels_);
         if (!judgement) {
             return [this, why = judgement.error()] {
                 is_judging_ = false;
@@ -80,6 +92,7 @@ std::vector<VerdictRow> verdict_rows(const verify::VerifyReport& report) {
     const verify::Offence* const first = report.first_offence();
     std::vector<VerdictRow> rows{
         {phrase("Verified"), report.ok ? phrase("yes") : phrase("NO")},
+        {phrase("Judged"), judged_part(report)},
         {phrase("Points visited"),
          phrase("%1 of %2", counted(report.points_visited), counted(report.points_total))},
         {phrase("Largest deviation"), phrase("%1 pulses", count_text(report.max_deviation_pulses))},
@@ -88,6 +101,7 @@ std::vector<VerdictRow> verdict_rows(const verify::VerifyReport& report) {
     for (const Axis axis : kAllAxes)
         rows.push_back({phrase("Pulses of %1", axis_letter(axis)),
                         phrase("%1", counted(report.pulses[index_of(axis)]))});
+    if (report.is_cut) rows.push_back({phrase("Judged up to"), phrase("where it was recorded")});
     if (first != nullptr) rows.push_back({phrase("First difference"), phrase("%1", first->sentence)});
     return rows;
 }

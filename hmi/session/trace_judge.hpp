@@ -31,7 +31,9 @@ public:
     ~TraceJudge() { cancel(); }
 
     /// Uses the job that the trace carries; `job`, which may be null, is for a trace that carries none.
-    void judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job);
+    /// `asked`: what of that job was to be carved.
+    void judge(const std::string& path, std::shared_ptr<const cam::PreparedJob> job,
+               const verify::AskedCarving& asked = {});
     void cancel() noexcept { cancels_.store(true); }
     bool is_judging() const noexcept { return is_judging_; }
     /// Call it at screen rate.

@@ -636,6 +636,10 @@
             <translation>%1 × %2 × %3 mm, масштаб %4</translation>
         </message>
         <message>
+            <source>%1, %2 bytes</source>
+            <translation>%1, %2 байт</translation>
+        </message>
+        <message>
             <source>%1, PREEMPT_RT</source>
             <translation>%1, PREEMPT_RT</translation>
         </message>
@@ -2433,6 +2437,10 @@ F12  этот список</translation>
             <translation>Его сторож выключил приводы и шпиндель.</translation>
         </message>
         <message>
+            <source>Its line at the end</source>
+            <translation>Её строка в конце</translation>
+        </message>
+        <message>
             <source>Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place.</source>
             <translation>Датчик не найден или не отпустил. Вероятно, обрыв провода или датчик сдвинут.</translation>
         </message>
@@ -2533,12 +2541,20 @@ F12  этот список</translation>
             <translation>Связь слоёв</translation>
         </message>
         <message>
+            <source>Judged</source>
+            <translation>Проверено</translation>
+        </message>
+        <message>
             <source>Judged by the job that is open</source>
             <translation>Проверено по открытому заданию</translation>
         </message>
         <message>
             <source>Judged by the job that the trace carries</source>
             <translation>Проверено по заданию, записанному в трассе</translation>
+        </message>
+        <message>
+            <source>Judged up to</source>
+            <translation>Проверено до</translation>
         </message>
         <message>
             <source>K  play, pause
@@ -5445,6 +5461,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Осталось: %1</translation>
         </message>
         <message>
+            <source>To run it again</source>
+            <translation>Чтобы повторить</translation>
+        </message>
+        <message>
             <source>To the begin</source>
             <translation>К началу</translation>
         </message>
@@ -6871,6 +6891,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>отсюда такт мог быть пропущен</translation>
         </message>
         <message>
+            <source>from standard input</source>
+            <translation>из стандартного ввода</translation>
+        </message>
+        <message>
             <source>from the pins</source>
             <translation>с выводов</translation>
         </message>
@@ -7289,6 +7313,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>layers</source>
             <translation>слои</translation>
+        </message>
+        <message>
+            <source>layers %1 to %2</source>
+            <translation>слои с %1 по %2</translation>
+        </message>
+        <message>
+            <source>layers %1 to %2, from point %3 on</source>
+            <translation>слои с %1 по %2, с точки %3</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>
@@ -7799,6 +7831,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>не передано</translation>
         </message>
         <message>
+            <source>not reached</source>
+            <translation>не достигнута</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>не записано</translation>
         </message>
@@ -7841,6 +7877,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>of %1</source>
             <translation>из %1</translation>
+        </message>
+        <message>
+            <source>of an unknown text</source>
+            <translation>текст неизвестен</translation>
         </message>
         <message>
             <source>off</source>
@@ -8133,6 +8173,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>refused</source>
             <translation>отказано</translation>
+        </message>
+        <message>
+            <source>replay --program FILE</source>
+            <translation>replay --program FILE</translation>
         </message>
         <message>
             <source>report of the slicer</source>
@@ -8807,6 +8851,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>опубликованное задание повреждено; опубликуйте его снова</translation>
         </message>
         <message>
+            <source>the pulses of a dry run</source>
+            <translation>импульсы холостого прогона</translation>
+        </message>
+        <message>
             <source>the same job</source>
             <translation>то же задание</translation>
         </message>
@@ -8873,6 +8921,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the value is infinite, or none at all</source>
             <translation>значение бесконечно или не существует</translation>
+        </message>
+        <message>
+            <source>the whole job</source>
+            <translation>всё задание</translation>
         </message>
         <message>
             <source>the work offsets have been changed since it was read; decode it again</source>
@@ -9133,6 +9185,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>where %1 stands is needed</source>
             <translation>нужно положение %1</translation>
+        </message>
+        <message>
+            <source>where it was recorded</source>
+            <translation>конца записи</translation>
         </message>
         <message>
             <source>whole</source>

@@ -636,6 +636,10 @@
             <translation>%1 × %2 × %3 mm，比例 %4</translation>
         </message>
         <message>
+            <source>%1, %2 bytes</source>
+            <translation>%1，%2 字节</translation>
+        </message>
+        <message>
             <source>%1, PREEMPT_RT</source>
             <translation>%1，PREEMPT_RT</translation>
         </message>
@@ -2432,6 +2436,10 @@ F12  本列表</translation>
             <translation>其守护进程已关闭驱动和主轴。</translation>
         </message>
         <message>
+            <source>Its line at the end</source>
+            <translation>结束时所在行</translation>
+        </message>
+        <message>
             <source>Its sensor was not found, or did not clear. Likely a broken wire or a sensor out of place.</source>
             <translation>未找到其传感器，或传感器未释放。可能断线或传感器移位。</translation>
         </message>
@@ -2532,12 +2540,20 @@ F12  本列表</translation>
             <translation>层间连接</translation>
         </message>
         <message>
+            <source>Judged</source>
+            <translation>检验范围</translation>
+        </message>
+        <message>
             <source>Judged by the job that is open</source>
             <translation>按已打开的作业判定</translation>
         </message>
         <message>
             <source>Judged by the job that the trace carries</source>
             <translation>按轨迹中所带的作业判定</translation>
+        </message>
+        <message>
+            <source>Judged up to</source>
+            <translation>检验到</translation>
         </message>
         <message>
             <source>K  play, pause
@@ -5440,6 +5456,10 @@ N、Shift+N  下一条、上一条记录
             <translation>剩余：%1</translation>
         </message>
         <message>
+            <source>To run it again</source>
+            <translation>重新运行</translation>
+        </message>
+        <message>
             <source>To the begin</source>
             <translation>到开头</translation>
         </message>
@@ -6864,6 +6884,10 @@ N、Shift+N  下一条、上一条记录
             <translation>从此处起可能丢失节拍</translation>
         </message>
         <message>
+            <source>from standard input</source>
+            <translation>来自标准输入</translation>
+        </message>
+        <message>
             <source>from the pins</source>
             <translation>由引脚得出</translation>
         </message>
@@ -7282,6 +7306,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>layers</source>
             <translation>层数</translation>
+        </message>
+        <message>
+            <source>layers %1 to %2</source>
+            <translation>第 %1 至 %2 层</translation>
+        </message>
+        <message>
+            <source>layers %1 to %2, from point %3 on</source>
+            <translation>第 %1 至 %2 层，从第 %3 点起</translation>
         </message>
         <message>
             <source>layers do not count on by one</source>
@@ -7792,6 +7824,10 @@ N、Shift+N  下一条、上一条记录
             <translation>未发布</translation>
         </message>
         <message>
+            <source>not reached</source>
+            <translation>未到达</translation>
+        </message>
+        <message>
             <source>not recorded</source>
             <translation>未记录</translation>
         </message>
@@ -7834,6 +7870,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>of %1</source>
             <translation>共 %1</translation>
+        </message>
+        <message>
+            <source>of an unknown text</source>
+            <translation>文本未知</translation>
         </message>
         <message>
             <source>off</source>
@@ -8126,6 +8166,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>refused</source>
             <translation>被拒绝</translation>
+        </message>
+        <message>
+            <source>replay --program FILE</source>
+            <translation>replay --program FILE</translation>
         </message>
         <message>
             <source>report of the slicer</source>
@@ -8800,6 +8844,10 @@ N、Shift+N  下一条、上一条记录
             <translation>已发布的作业已损坏；请重新发布</translation>
         </message>
         <message>
+            <source>the pulses of a dry run</source>
+            <translation>空运行的脉冲</translation>
+        </message>
+        <message>
             <source>the same job</source>
             <translation>同一作业</translation>
         </message>
@@ -8866,6 +8914,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the value is infinite, or none at all</source>
             <translation>值为无穷大或不存在</translation>
+        </message>
+        <message>
+            <source>the whole job</source>
+            <translation>整个作业</translation>
         </message>
         <message>
             <source>the work offsets have been changed since it was read; decode it again</source>
@@ -9126,6 +9178,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>where %1 stands is needed</source>
             <translation>需要 %1 的位置</translation>
+        </message>
+        <message>
+            <source>where it was recorded</source>
+            <translation>记录的末尾</translation>
         </message>
         <message>
             <source>whole</source>

@@ -102,7 +102,8 @@ void MainWindow::choose_trace_to_verify() {
 
 void MainWindow::verify_replay() {
     if (context_.judge.is_judging()) return context_.judge.cancel();
-    context_.judge.judge(context_.replay.facts().path, context_.replay.facts().job);
+    const replay::Recording::Facts& facts = context_.replay.facts();
+    context_.judge.judge(facts.path, facts.job, facts.asked.value_or(verify::AskedCarving{}));
 }
 
 void MainWindow::refresh_tools() {

@@ -14,8 +14,9 @@ namespace psicarve::verify {
 
 /// Rule 1 by the job, and the others by PinRules.
 struct Verifier::State : PositionJudge {
-    State(const JobGeometry& of_job, const Profile& profile)
+    State(const JobGeometry& of_job, const Profile& profile, const AskedCarving& what)
         : geometry(of_job),
+          asked(what),
           surface(geometry),
           path(geometry, surface, log),
           to_path(path, profile),
@@ -32,6 +33,7 @@ struct Verifier::State : PositionJudge {
     }
 
     JobGeometry geometry;
+    AskedCarving asked;
     OffenceLog log;
     CarvedSurface surface;
     PathRule path;
@@ -49,9 +51,13 @@ void Verifier::State::settle(std::int64_t time_ns, const Positions& positions, S
 }
 
 Result<Verifier> Verifier::make(const JobView& job, const Profile& profile, const LayerRange& layers) {
-    auto geometry = JobGeometry::make(job, profile, layers);
+    return make_for(job, profile, {layers});
+}
+
+Result<Verifier> Verifier::make_for(const JobView& job, const Profile& profile, const AskedCarving& asked) {
+    auto geometry = JobGeometry::make(job, profile, asked.layers);
     if (!geometry) return geometry.error();
-    return Verifier(std::make_unique<State>(*geometry, profile));
+    return Verifier(std::make_unique<State>(*geometry, profile, asked));
 }
 
 Verifier::Verifier(std::unique_ptr<State> state) noexcept : state_(std::move(state)) {}
@@ -76,6 +82,27 @@ void Verifier::feed(std::span<const TraceEvent> events) {
     state_->pins.feed(events);
 }
 
+namespace {
+
+/// What was asked for may have been less than to carve it to the end.
+void judge_as_asked(VerifyReport& report, const AskedCarving& asked) {
+    RuleResult& path = report.rules[0];
+    report.is_dry = !asked.carves;
+    if (report.is_dry) {
+        path = {};
+        report.points_total = report.points_visited;
+        return;
+    }
+    const auto is_end = [](const Offence& first) {
+        return first.fault == "ends-early" || first.fault == "no-carving";
+    };
+    report.is_cut = asked.may_end_early && report.points_visited != report.points_total;
+    if (!report.is_cut || !path.first || !is_end(*path.first)) return;
+    if (--path.offences == 0) path.first.reset();
+}
+
+}  // namespace
+
 VerifyReport Verifier::finish() {
     State& s = *state_;
     s.pins.settle();
@@ -98,7 +125,10 @@ VerifyReport Verifier::finish() {
     report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();
-    report.ok = report.first_offence() == nullptr && report.points_visited == report.points_total;
+    report.first_point = s.asked.layers.first_point;
+    judge_as_asked(report, s.asked);
+    report.ok =
+        report.first_offence() == nullptr && (report.is_cut || report.points_visited == report.points_total);
     return report;
 }
 

@@ -10,6 +10,7 @@
 #include "hmi/surface/carved_surface.hpp"
 #include "hmi/surface/job_geometry.hpp"
 #include "hmi/trace/trace_reader.hpp"
+#include "hmi/verify/asked_carving.hpp"
 #include "hmi/verify/verify_report.hpp"
 #include "shared/base/result.hpp"
 #include "shared/job/job.hpp"
@@ -25,6 +26,8 @@ class Verifier {
 public:
     /// Refuses jobs that cannot be judged: no points, no layers, a zero sweep or scale.
     static Result<Verifier> make(const JobView& job, const Profile& profile, const LayerRange& layers = {});
+    /// The same for what was asked for: where dry runs alone were, rule 1 is not judged.
+    static Result<Verifier> make_for(const JobView& job, const Profile& profile, const AskedCarving& asked);
 
     Verifier(Verifier&&) noexcept;
     Verifier& operator=(Verifier&&) noexcept;

@@ -38,7 +38,6 @@ Json offence_json(const Offence& offence) {
     return json;
 }
 
-/// " in layers 37 to 39"; nothing for a whole job.
 std::string layers_text(const VerifyReport& report) {
     if (report.is_whole_job) return {};
     const std::uint32_t last = report.first_layer + report.layer_count - 1;
@@ -47,6 +46,14 @@ std::string layers_text(const VerifyReport& report) {
 }
 
 }  // namespace
+
+std::string judged_text(const VerifyReport& report) {
+    std::string text = layers_text(report);
+    if (report.first_point)
+        text += ", from point " + std::to_string(*report.first_point) + " of layer " +
+                std::to_string(report.first_layer) + " on";
+    return report.is_cut ? text + ", up to where it was recorded" : text;
+}
 
 Json rules_json(const RuleResults& results) {
     Json rules = Json::array();
@@ -92,6 +99,9 @@ std::string report_json(const VerifyReport& report) {
     json["points_total"] = report.points_total;
     json["first_layer"] = report.first_layer;
     json["layers"] = report.layer_count;
+    if (report.first_point) json["first_point"] = *report.first_point;
+    if (report.is_cut) json["cut_short"] = true;
+    if (report.is_dry) json["dry_run"] = true;
     json["max_deviation_pulses"] = report.max_deviation_pulses;
     json["uncarved_cells"] = report.uncarved_cells;
     json["max_line_deviation_mm"] = report.max_line_deviation_mm;
@@ -105,11 +115,13 @@ std::string report_json(const VerifyReport& report) {
 }
 
 std::string report_text(const VerifyReport& report) {
-    std::string text = report.ok ? "verified: the pins obey rules 1 to 4 and carve the job\n"
-                                 : "not verified: the pins differ from what the job asks\n";
+    const char* const obeyed = report.is_dry   ? "verified: a dry run, whose pins obey rules 2 to 4\n"
+                               : report.is_cut ? "verified: the pins obey rules 1 to 4 as far as they go\n"
+                                               : "verified: the pins obey rules 1 to 4 and carve the job\n";
+    std::string text = report.ok ? obeyed : "not verified: the pins differ from what the job asks\n";
     text += offences_text(report.rules);
     text += "  points " + std::to_string(report.points_visited) + " of " +
-            std::to_string(report.points_total) + layers_text(report) + ", largest deviation " +
+            std::to_string(report.points_total) + judged_text(report) + ", largest deviation " +
             std::to_string(report.max_deviation_pulses) + " pulses at points, " +
             shown_number(report.max_line_deviation_mm) + " mm between them\n";
     if (report.uncarved_cells > 0)

@@ -58,7 +58,7 @@ struct PassTime {
 };
 
 struct VerifyReport {
-    bool ok = false;  ///< every judged rule holds and every point was visited
+    bool ok = false;  ///< every judged rule holds and every point was visited, or it may end early
     RuleResults rules;
     std::array<std::uint64_t, kAxisCount> pulses{};  ///< rising step edges in the whole trace
     std::uint64_t points_visited = 0;                ///< exactly, in order; a point counts for both heads
@@ -66,6 +66,9 @@ struct VerifyReport {
     std::uint32_t first_layer = 0;  ///< the first of those to be carved
     std::uint32_t layer_count = 0;
     bool is_whole_job = true;
+    std::optional<std::uint32_t> first_point;  ///< of the first layer, where it was to begin within it
+    bool is_cut = false;                       ///< it may end where it does, and is judged up to there
+    bool is_dry = false;                       ///< dry runs alone: rule 1 is not judged
     /// Largest difference between carved and wanted radius at those points after all motion of the trace.
     std::int64_t max_deviation_pulses = 0;
     std::uint64_t uncarved_cells = 0;        ///< of the surface, that no tip reached
@@ -83,6 +86,9 @@ struct VerifyReport {
 
 /// One JSON object, as `psicarve verify --json` prints it.
 std::string report_json(const VerifyReport& report);
+/// " in layers 37 to 39", " in layers 2 to 4, from point 5 of layer 2 on, up to where it was recorded"; empty
+/// for a whole job.
+std::string judged_text(const VerifyReport& report);
 /// A few lines for a person.
 std::string report_text(const VerifyReport& report);
 

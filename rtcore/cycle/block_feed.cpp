@@ -69,6 +69,10 @@ const MotionBlock* BlockFeed::numbered(std::uint64_t number) const noexcept {
     return queued != nullptr && queued->epoch == epoch_ ? queued : nullptr;
 }
 
+void BlockFeed::drop_overtaken() noexcept {
+    while (blocks_->front() != nullptr && blocks_->front()->epoch != epoch_) blocks_->pop();
+}
+
 bool BlockFeed::drop_foreign_blocks() noexcept {
     for (int i = 0; i < kDropsPerTick; ++i) {
         const MotionBlock* const front = blocks_->front();

@@ -26,6 +26,9 @@ public:
         block_.ends_line = 0;
     }
 
+    /// All that is queued of other epochs at once, however much: for virtual time, not in the tick.
+    void drop_overtaken() noexcept;
+
     /// At rest, every tick. True: the block at hand is the next of the plan, the first of its group. False:
     /// there is none, its group is not queued yet, or a pause goes on.
     bool take_first() noexcept;

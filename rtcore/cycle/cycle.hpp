@@ -81,6 +81,8 @@ public:
     bool awaits_blocks() const noexcept {
         return carves_program() && (motion_.has_run_out() || motion_.runs_short());
     }
+    /// Takes what is queued of a plan that was dropped out at once. Not in a tick: before it.
+    void drop_overtaken_blocks() noexcept { motion_.drop_overtaken_blocks(); }
     /// What the sample record shows when it is renewed.
     Sample sample() const noexcept;
 

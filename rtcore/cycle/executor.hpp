@@ -91,6 +91,8 @@ public:
     /// The axis that is being homed, as SensorSearch has it.
     std::uint8_t homing_axis() const noexcept { return search_.homing_axis(); }
 
+    /// As BlockFeed has it.
+    void drop_overtaken() noexcept { feed_.drop_overtaken(); }
     /// It rests, and nothing is queued that it could do next.
     bool has_run_out() const noexcept { return !in_motion_ && feed_.has_run_out(); }
     /// It may slow down, or rest, because the next group is not queued.

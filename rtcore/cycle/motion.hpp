@@ -64,6 +64,7 @@ public:
     bool has_run_out() const noexcept { return !lift_.is_active() && executor_.has_run_out(); }
     /// It may slow down for want of blocks.
     bool runs_short() const noexcept { return !lift_.is_active() && executor_.runs_short(); }
+    void drop_overtaken_blocks() noexcept { executor_.drop_overtaken(); }
     bool has_block() const noexcept { return io_->blocks.front() != nullptr; }
     /// As Executor has them.
     std::uint64_t program_line() const noexcept { return executor_.program_line(); }

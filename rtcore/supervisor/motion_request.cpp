@@ -133,6 +133,11 @@ static_assert((cycle::packed(cycle::LayerRange{7, 3, true, ~0U}) & kRecordedFirs
               "readers of the flight recorder look there");
 static_assert(cycle::packed(cycle::LayerRange{0, 0, false, ~0U}) == kRecordedFirstPoint,
               "readers of the flight recorder look there");
+constexpr RecordedStart kReadBack =
+    recorded_start(cycle::packed(cycle::LayerRange{700'001, 600'001, true, 500'001}));
+static_assert(kReadBack.first_layer == 700'001 && kReadBack.layers == 600'001 &&
+                  kReadBack.point_number == 500'001 && kReadBack.is_dry,
+              "readers of the flight recorder read it so");
 static_assert(cycle::kMostOfRange >= kMaxJobCount);
 
 Result<void> add_layers(Request& request, const Command& command) {

@@ -71,4 +71,11 @@ ProgramStatus recorded_program(std::span<const FlightRecord> records) noexcept {
     return program;
 }
 
+ProgramStatus recorded_program(std::span<const FlightRecord> records, const CoreStatus* status) noexcept {
+    ProgramStatus program = recorded_program(records);
+    const bool is_moving = status != nullptr && status->state != MachineState::held;
+    if (is_moving && program.hold == ProgramHold::starved) program.hold = ProgramHold::none;
+    return program;
+}
+
 }  // namespace psicarve

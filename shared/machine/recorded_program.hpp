@@ -77,5 +77,8 @@ void take_record(ProgramStatus& program, const FlightRecord& record) noexcept;
 /// The last program of a recorder, oldest record first, as the last record has it. program and line 0: there
 /// was none.
 ProgramStatus recorded_program(std::span<const FlightRecord> records) noexcept;
+/// The same as the status at that recorder's end has it; null: none is known. A program that has starved goes
+/// on without a word, and the status knows whether it rests.
+ProgramStatus recorded_program(std::span<const FlightRecord> records, const CoreStatus* status) noexcept;
 
 }  // namespace psicarve

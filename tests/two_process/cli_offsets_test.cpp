@@ -303,6 +303,26 @@ TEST_F(KeptOffsetsOf, ATraceStandBesideItAndJudgeIt) {
     EXPECT_EQ(run({"verify", trace, "--program", path, "--offsets", file("none")}).exit_code, 3);
 }
 
+// Pulses that only cross a screw's gap move no tip.
+TEST_F(KeptOffsetsOf, ATraceNameTheProfileThatItWasMadeWith) {
+    write("worn.toml", "name = \"worn\"\n[axis.r1]\nbacklash_mm = 0.2\n[axis.y]\nbacklash_mm = 0.3\n");
+    const std::string trace = file("pins.trace");
+    const std::string path = program("G21 G90 F300\nG0 X40 Z40\nG1 X39 C20\nG1 X40 Z39\nG1 X39 Z40\nM2\n");
+    ASSERT_EQ(
+        run({"gcode", "run", path, "--simulate", "--trace", trace, "--profile", file("worn.toml")}).exit_code,
+        0);
+    EXPECT_EQ(run({"verify", trace, "--program", path, "--profile", file("worn.toml")}).exit_code, 0);
+    const Outcome other = run({"verify", trace, "--program", path});
+    EXPECT_EQ(other.exit_code, 3) << other.out;
+    EXPECT_NE(other.error.find("another profile than the trace was made with, which was \"worn\""),
+              std::string::npos)
+        << other.error;
+    EXPECT_NE(other.error.find("--profile FILE"), std::string::npos) << other.error;
+    // Another one by which its tips are where they should be judges it.
+    write("alike.toml", text_of(file("worn.toml")) + "[job]\nfeed_mm_s = 9\n");
+    EXPECT_EQ(run({"verify", trace, "--program", path, "--profile", file("alike.toml")}).exit_code, 0);
+}
+
 TEST_F(KeptOffsetsOf, NothingIsSetAndThatIsSaidWhereNoStateIsKept) {
     setenv("PSICARVE_STATE", "", 1);
     const Outcome refused = run({"gcode", "offsets", "set", "G54", "X=1"});

@@ -78,5 +78,29 @@ TEST(ReplayedEntries, ThatAreNotRepeatedAreNamed) {
     EXPECT_TRUE(compare_entries(recorded, {}).first_other.has_value());
 }
 
+TEST(ReplayedEntries, LieNoFurtherApartThanTheirRecorderLeavesUntold) {
+    constexpr std::int64_t kPeriod_ns = 50'000;
+    const Entries entries{event(1000, ProgramEvent::begun, 5), event(9000, ProgramEvent::ended, 7)};
+    Entries all{entry(900, RecordKind::gap, 1, 800), entry(1200, RecordKind::gap, 3, 25),
+                entry(9100, RecordKind::gap, 1, 900)};
+    EXPECT_EQ(untold_ticks(entries, all, kPeriod_ns), 4000U + 25U) << "200 ms, and those missed meanwhile";
+    EXPECT_EQ(untold_ticks({}, all, kPeriod_ns), 0U);
+    EXPECT_EQ(untold_ticks(entries, all, 0), 0U);
+    all[1].value = -5;
+    EXPECT_EQ(untold_ticks(entries, all, kPeriod_ns), 4000U);
+    EntryComparison found;
+    found.most_ticks = 4025;
+    found.most_pulses = 3;
+    EXPECT_TRUE(is_as_recorded(found, 4025));
+    EXPECT_FALSE(is_as_recorded(found, 4024));
+    EXPECT_FALSE(is_as_recorded(found, 0)) << "a virtual clock's is repeated to the tick";
+    found.most_ticks = 0;
+    EXPECT_FALSE(is_as_recorded(found, 4025)) << "elsewhere at the very tick";
+    found.most_pulses = 0;
+    EXPECT_TRUE(is_as_recorded(found, 0));
+    found.first_other = entries[1];
+    EXPECT_FALSE(is_as_recorded(found, 4025));
+}
+
 }  // namespace
 }  // namespace psicarve::cli

@@ -243,6 +243,23 @@ TEST_F(SnapshotCommand, InfoTellsWhatWasSwitchedAndHowOftenAProgramStarved) {
     EXPECT_TRUE(info["records"][1]["axis"].is_null());
 }
 
+// It goes on without a word, and its line is told a second later at the latest.
+TEST_F(SnapshotCommand, InfoSaysThatAProgramStarvesOnlyWhileTheMachineRests) {
+    for (const MachineState state : {MachineState::held, MachineState::carving}) {
+        Snapshot rest;
+        rest.status = CoreStatus{};
+        rest.status->state = state;
+        rest.records = {of_program(ProgramEvent::begun, 7), of_program(ProgramEvent::held, 8, 34, 5)};
+        const std::string path = save("a.snap", small_table(), rest);
+        const bool starves = state == MachineState::held;
+        const auto program = psicarve({"snapshot", "info", path, "--json"}).json()["program"];
+        EXPECT_EQ(program["hold"].is_null(), !starves) << program;
+        const Outcome text = psicarve({"snapshot", "info", path});
+        EXPECT_EQ(text.out.find("line 8: held, starved") != std::string::npos, starves) << text.out;
+        EXPECT_NE(text.out.find("program    line 8"), std::string::npos) << text.out;
+    }
+}
+
 TEST_F(SnapshotCommand, InfoTellsJobStatusAndTheNewestRecords) {
     Snapshot rest;
     rest.status = CoreStatus{};

@@ -225,6 +225,16 @@ TEST(Usage, AnOverrideIsAWholeNumberFromTenToTwoHundred) {
     }
 }
 
+TEST(Usage, AnOverrideOfRapidsIsAWholeNumberFromTenToAHundred) {
+    for (const std::string percent : {"5", "101", "200"}) {
+        const Outcome outcome = psicarve({"override", percent, "--rapids"});
+        EXPECT_EQ(outcome.exit_code, 2) << percent;
+        EXPECT_EQ(outcome.error_lines(), 1U) << outcome.error;
+        EXPECT_NE(outcome.error.find("10 to 100"), std::string::npos) << outcome.error;
+    }
+    EXPECT_NE(psicarve({"override", "5"}).error.find("10 to 200"), std::string::npos);
+}
+
 struct CoreUsage {
     const char* arguments;
     const char* said;

@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "hmi/replay/carving_timeline.hpp"
+#include "shared/machine/recorded_program.hpp"
 #include "shared/machine/recorded_start.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
 
@@ -47,6 +51,39 @@ TEST_F(SnapshotReplay, ShowsTheMachineAtEachEntryAndWholeAtTheEnd) {
     EXPECT_EQ(end->status.points_done, saved->status->points_done);
     EXPECT_EQ(end->status.tick, saved->status->tick);
     EXPECT_EQ(end->carving_time, kLayers);
+}
+
+TEST_F(SnapshotReplay, SaysOfWhichProgramItIsAndHowThatIsRunAgain) {
+    record();
+    const auto listed = [&](const Snapshot& saved) {
+        EXPECT_TRUE(save_snapshot(saved, file("program.snap")));
+        const auto sut = open_recording({file("program.snap"), {}, Profile{}}, {});
+        EXPECT_TRUE(sut);
+        std::string text;
+        for (const session::Check& row : (*sut)->facts().contents)
+            text += in_english(row.name) + ": " + in_english(row.detail) + "\n";
+        return text;
+    };
+    auto saved = load_snapshot(snapshot());
+    ASSERT_TRUE(saved);
+    EXPECT_THAT(listed(*saved), testing::Not(HasSubstr("Program")));
+    FlightRecord line{};
+    line.tick = saved->records.back().tick;
+    line.kind = RecordKind::program;
+    line.code = recorded_code(ProgramEvent::line);
+    line.axis = kNoAxis;
+    line.value = 12;
+    saved->records.push_back(line);
+    EXPECT_THAT(listed(*saved), HasSubstr("Program: of an unknown text\nIts line at the end: 12\n"
+                                          "To run it again: replay --program FILE\n"));
+    auto source = std::make_shared<RecordedSource>();
+    source->source.program = 7;
+    source->source.text_bytes = 345;
+    std::copy_n("pocket.ngc", sizeof "pocket.ngc", source->source.name);
+    saved->source = source;
+    EXPECT_THAT(listed(*saved), HasSubstr("Program: pocket.ngc, 345 bytes\n"));
+    source->source.flags = kSourceIsStream;
+    EXPECT_THAT(listed(*saved), HasSubstr("Program: from standard input\n"));
 }
 
 TEST_F(SnapshotReplay, ShowsNothingCarvedOfADryRun) {

@@ -27,8 +27,9 @@ using testing::HasSubstr;
 class JudgedTrace : public test::RecordedRun {
 protected:
     std::shared_ptr<const session::Judgement> judge(const std::string& path,
-                                                    std::shared_ptr<const cam::PreparedJob> job = nullptr) {
-        sut_.judge(path, std::move(job));
+                                                    std::shared_ptr<const cam::PreparedJob> job = nullptr,
+                                                    const verify::AskedCarving& asked = {}) {
+        sut_.judge(path, std::move(job), asked);
         EXPECT_TRUE(this->eventually([&] {
             sut_.poll();
             return !sut_.is_judging();
@@ -61,6 +62,24 @@ TEST_F(JudgedTrace, NeedsNoOtherFileAndIsNotHeldAgainstWhatHappensToBeOpen) {
     const auto older = judge(trace(), prepared(other));
     ASSERT_TRUE(older);
     EXPECT_FALSE(older->report.ok) << "it carries none: the open one counts";
+}
+
+TEST_F(JudgedTrace, IsJudgedByWhatWasAskedForAndSaysSo) {
+    record();
+    const auto says = [&](const verify::AskedCarving& asked) {
+        const auto judged = judge(whole_trace(), nullptr, asked);
+        std::string text;
+        if (judged) {
+            for (const session::VerdictRow& row : session::verdict_rows(judged->report))
+                text += in_english(row.name) + ": " + in_english(row.value) + "\n";
+        }
+        return text;
+    };
+    EXPECT_THAT(says({}), HasSubstr("Judged: the whole job\n"));
+    const std::string last = std::to_string(kLayers);
+    EXPECT_THAT(says({{1, 0, {}}}), HasSubstr("Judged: layers 2 to " + last + "\n"));
+    EXPECT_THAT(says({{1, 0, 3}}), HasSubstr("Judged: layers 2 to " + last + ", from point 4 on\n"));
+    EXPECT_THAT(says({{}, false, false}), HasSubstr("Judged: the pulses of a dry run\n"));
 }
 
 TEST_F(JudgedTrace, WithADamagedJobTakesTheOneThatIsOpen) {

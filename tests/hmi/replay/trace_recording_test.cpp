@@ -78,6 +78,26 @@ TEST_F(TraceReplay, EndsWhereTheCoreSaidThatItWas) {
     EXPECT_TRUE(sut->facts().warnings.empty());
 }
 
+TEST_F(TraceReplay, SaysWhatItsFlightRecorderHasAskedFor) {
+    record();
+    const auto whole = open(trace(), snapshot());
+    ASSERT_TRUE(whole);
+    ASSERT_TRUE(whole->facts().asked);
+    EXPECT_EQ(whole->facts().asked->layers.first, 0U);
+    EXPECT_FALSE(whole->facts().asked->may_end_early);
+    auto later = load_snapshot(snapshot());
+    ASSERT_TRUE(later);
+    for (FlightRecord& entry : later->records) {
+        if (entry.kind == RecordKind::command && entry.code == static_cast<std::uint16_t>(CommandKind::start))
+            entry.value = 1;
+    }
+    ASSERT_TRUE(save_snapshot(*later, file("later.snap")));
+    const auto part = open(trace(), file("later.snap"));
+    ASSERT_TRUE(part);
+    ASSERT_TRUE(part->facts().asked);
+    EXPECT_EQ(part->facts().asked->layers.first, 1U);
+}
+
 TEST_F(TraceReplay, TellsTheLayerOfThePinsAndTheStatesOfTheFlightRecorder) {
     record();
     const auto sut = open(trace(), snapshot());

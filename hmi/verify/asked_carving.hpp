@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "hmi/surface/job_geometry.hpp"
+#include "shared/job/job.hpp"
+#include "shared/machine/status.hpp"
+
+namespace psicarve::verify {
+
+/// What a trace is to be judged against: the whole job, unless something tells that less was asked for.
+struct AskedCarving {
+    LayerRange layers{};
+    bool may_end_early = false;  ///< it was stopped, or the recording ends: as far as it came it is judged
+    bool carves = true;          ///< false: dry runs alone
+};
+
+/// What the starts in a flight recorder, oldest record first, asked for of its newest job, from where a
+/// replay of it begins: the last one that was carved, and those before it as long as each goes on within what
+/// the one before asked for, or where that ends. A start that was never told to carve is none; dry runs count
+/// where there are no others. Nothing: there is none.
+std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const FlightRecord> records);
+
+}  // namespace psicarve::verify

@@ -38,6 +38,7 @@ double ProgrammedWay::arc_length_mm(std::size_t head, const Positions& at) const
 ProgrammedWay::Near ProgrammedWay::near_at(std::size_t head, const Positions& at,
                                            const WayTolerance& tolerance, double share,
                                            double length_mm) const noexcept {
+    ++places_looked_at_;
     const Off off = this->off(head, at, this->at(share), tolerance.pulses);
     const double off_mm = off.distance_mm();
     const bool is_near = off_mm <= tolerance.mm;
@@ -68,6 +69,8 @@ bool ProgrammedWay::go_on(std::size_t head, const Positions& at, const WayTolera
                 near = near_at(head, at, tolerance, further, length_mm);
                 share = further;
                 if (near.is_near) found.most = further;
+                // A whole turn is near: so are all that follow, over the same places.
+                if (found.most - found.least >= turn_share_) found.most = 1.0;
             }
             found = {std::max(found.least, range.least), std::max(found.most, range.least)};
             if (!next.empty() && found.least <= next.back().most)
@@ -123,7 +126,8 @@ std::optional<double> ProgrammedWay::last_near(std::size_t head, const Positions
                                                const ShareRange& range) const noexcept {
     const double length_mm = arc_length_mm(head, at);
     std::optional<double> last;
-    for (double share = range.least; share <= range.most;) {
+    // The last of several like turns has all places.
+    for (double share = std::max(range.least, range.most - turn_share_); share <= range.most;) {
         const Near near = near_at(head, at, tolerance, share, length_mm);
         if (near.is_near) last = share;
         if (share >= range.most) break;
@@ -136,13 +140,15 @@ double ProgrammedWay::from_one_place_within_mm(const Positions& at, const WayTol
                                                const ShareRange& range) const noexcept {
     const std::array<double, kHeadCount> lengths_mm{arc_length_mm(0, at), arc_length_mm(1, at)};
     double least_mm = both_mm(at, 0.5 * (range.least + range.most), tolerance.pulses);
+    // One of several like turns has all places.
+    const double most = std::min(range.most, range.least + turn_share_);
     for (double share = range.least; least_mm > tolerance.mm;) {
         const double mm = both_mm(at, share, tolerance.pulses);
         least_mm = std::min(least_mm, mm);
-        if (share >= range.most) break;
+        if (share >= most) break;
         // A place within the tolerance is no nearer than that on either head's way.
         const double apart_mm = std::max(mm - tolerance.mm, kPartOfPulse * heads_[0].pulse_mm[2]);
-        share = std::min(share + apart_mm / std::max(lengths_mm[0], lengths_mm[1]), range.most);
+        share = std::min(share + apart_mm / std::max(lengths_mm[0], lengths_mm[1]), most);
     }
     return least_mm;
 }

@@ -71,6 +71,10 @@ ProgrammedWay::ProgrammedWay(const WayScale& scale, const Place& from, const Pla
         };
         of.length_mm = length_mm(of.pulse_mm[0]) + arc_mm;
     }
+    if (!arc || arc->start_radius_mm != arc->end_radius_mm || from[kPsi] != to[kPsi]) return;
+    for (std::size_t head = 0; head < kHeadCount; ++head)
+        if (!arc->moves_head[head] && from[head] != to[head]) return;
+    turn_share_ = 2.0 * kPi / std::abs(arc->sweep_rad);
 }
 
 Place ProgrammedWay::at(double share) const noexcept {

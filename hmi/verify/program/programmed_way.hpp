@@ -102,6 +102,8 @@ public:
                                     const ShareRange& range) const noexcept;
     /// How far a head is from a place of the way, less what pulses are allowed [mm].
     double from_mm(const Place& place, std::size_t head, const Positions& at, double pulses) const noexcept;
+    /// At how many places of arcs go_on() and last_near() have looked, all in all.
+    std::uint64_t places_looked_at() const noexcept { return places_looked_at_; }
     /// How far back along a head's way its nearest place may come while it goes on, as a share of it; a line
     /// is as long as it is for the tip's radius there.
     double back_share(std::size_t head, const Positions& at, const WayTolerance& tolerance) const noexcept;
@@ -144,6 +146,10 @@ private:
     std::int64_t whole_pulses_ = 1;
     std::optional<WayArc> arc_;
     std::array<Head, kHeadCount> heads_;
+    /// The share of one turn, where each turn goes over the same places: a circle, and nothing else moves.
+    /// More than 1: they do not, or there is but one.
+    double turn_share_ = 2.0;
+    mutable std::uint64_t places_looked_at_ = 0;
 };
 
 }  // namespace psicarve::verify

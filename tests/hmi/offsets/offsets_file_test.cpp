@@ -26,6 +26,7 @@ Offsets full_offsets() {
     offsets.kept.references[1] = gcode::Position{0.0, 5.0};
     offsets.pending = Pending{{"/psi", "0-1", 4'000'000'000U, 77, 3}, {}};
     offsets.pending->offsets.systems[3].origin[0] = 7.0;
+    offsets.profile = ProfileMark{"worn", 0xfedc'ba98'7654'3210U};
     return offsets;
 }
 

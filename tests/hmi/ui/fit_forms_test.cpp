@@ -12,8 +12,7 @@ TEST_P(Fit, WithASlicedModel) {
     ASSERT_TRUE(comes_to(session::OpenJobState::model));
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_to(session::OpenJobState::job));
-    expect_pages_fit("sliced");
-    expect_panels_fit("sliced");
+    expect_pages_and_panels_fit("sliced");
 }
 
 TEST_P(Fit, WithUnfinishedWork) {

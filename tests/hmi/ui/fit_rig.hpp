@@ -116,28 +116,34 @@ protected:
     /// Position, Jog and Job, where they are pages of one column.
     void look_at_panels_here(const QString& where) {
         settle();
-        auto& names = part<QTabBar>("side_names");
-        if (!names.isVisible()) return;
-        for (int i = 0; i < names.count(); ++i) {
-            names.setCurrentIndex(i);
-            look_here(where + "_panel_" + QString::number(i + 1));
-        }
-        names.setCurrentIndex(0);
+        look_at_panels_but(-1, where);
+    }
+    /// Where the window has just been looked at with one of them.
+    void look_at_other_panels_here(const QString& where) {
+        look_at_panels_but(part<QTabBar>("side_names").currentIndex(), where);
     }
     void expect_fit(const QString& where) {
         on_each_screen([&] { look_here(where); });
     }
-    void expect_pages_fit(const QString& where) {
+    void expect_panels_fit(const QString& where) {
+        on_each_screen([&] { look_at_panels_here(where); });
+    }
+    /// On one walk over the screens: each takes as long as many looks, for every widget is styled anew.
+    void expect_with_panels_fit(const QString& where) {
+        on_each_screen([&] {
+            look_here(where);
+            look_at_other_panels_here(where);
+        });
+    }
+    void expect_pages_and_panels_fit(const QString& where) {
         on_each_screen([&] {
             auto& tabs = part<QTabWidget>("tabs");
             for (int i = 0; i < tabs.count(); ++i) {
                 tabs.setCurrentIndex(i);
                 look_here(where + "_" + QString::number(i + 1));
             }
+            look_at_other_panels_here(where);
         });
-    }
-    void expect_panels_fit(const QString& where) {
-        on_each_screen([&] { look_at_panels_here(where); });
     }
     void start_core_anew() {
         core_->send_signal(SIGKILL);
@@ -150,6 +156,17 @@ protected:
     }
 
 private:
+    void look_at_panels_but(int seen, const QString& where) {
+        auto& names = part<QTabBar>("side_names");
+        if (!names.isVisible()) return;
+        for (int i = 0; i < names.count(); ++i) {
+            if (i == seen) continue;
+            names.setCurrentIndex(i);
+            look_here(where + "_panel_" + QString::number(i + 1));
+        }
+        names.setCurrentIndex(0);
+    }
+
     std::vector<QSize> screens_ = screens_looked_at();  ///< the window is on the first
     std::set<std::string> seen_;
 };

@@ -9,14 +9,12 @@ namespace {
 TEST_P(Fit, WithNothingOpen) {
     open_small();
     ASSERT_TRUE(comes_true([&] { return machine_view().is_heard(); }));
-    expect_pages_fit("empty");
-    expect_panels_fit("empty");
+    expect_pages_and_panels_fit("empty");
 }
 
 TEST_P(Fit, WithoutACore) {
     open_on_screen();
-    expect_fit("no_core");
-    expect_panels_fit("no_core");
+    expect_with_panels_fit("no_core");
 }
 
 TEST_P(Fit, WithAFileThatWasRefused) {
@@ -44,8 +42,7 @@ TEST_P(Fit, WithAPieceThatIsUnfinished) {
     carve(4);
     carve(2);
     ASSERT_TRUE(comes_true([&] { return part<QLabel>("unfinished_title").isVisible(); }));
-    expect_fit("unfinished_piece");
-    expect_panels_fit("unfinished_piece");
+    expect_with_panels_fit("unfinished_piece");
     start_core_anew();
     ASSERT_TRUE(
         comes_true([&] { return machine_view().is_heard() && machine_view().state() == MachineState::off; }));
@@ -139,27 +136,22 @@ TEST_P(Fit, WithAJobBeforeAndWhileItIsCarved) {
     open_example("figurine.stl");
     expect_fit("model");
     ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
-    expect_pages_fit("published");
-    expect_panels_fit("published");
+    expect_pages_and_panels_fit("published");
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(MachineState::ready));
-    expect_fit("ready");
-    expect_panels_fit("ready");
+    expect_with_panels_fit("ready");
     window_->context().machine.set_override(80);
     ASSERT_TRUE(comes_true([&] { return machine_view().status->override_percent == 80; }));
-    expect_fit("ready_to_be_looked_at");
-    expect_panels_fit("ready_to_be_looked_at");
+    expect_with_panels_fit("ready_to_be_looked_at");
     ASSERT_TRUE(click("start"));
     ASSERT_TRUE(comes_to(MachineState::carving));
-    expect_pages_fit("carving");
-    expect_panels_fit("carving");
+    expect_pages_and_panels_fit("carving");
     ASSERT_TRUE(click("hold"));
     ASSERT_TRUE(comes_to(MachineState::held));
     expect_panels_fit("held");
     window_->emergency_stop();
     ASSERT_TRUE(comes_to(MachineState::alarm));
-    expect_pages_fit("alarm");
-    expect_panels_fit("alarm");
+    expect_pages_and_panels_fit("alarm");
 }
 
 TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
@@ -171,14 +163,12 @@ TEST_P(Fit, WithAnotherJobOnTheDeskThanInTheMachine) {
     ASSERT_TRUE(click("slice"));
     ASSERT_TRUE(comes_to(session::OpenJobState::job));
     ASSERT_FALSE(part<QWidget>("desk_job").isHidden());
-    expect_fit("two_jobs");
-    expect_panels_fit("two_jobs");
+    expect_with_panels_fit("two_jobs");
     ASSERT_TRUE(click("home"));
     ASSERT_TRUE(comes_to(MachineState::ready));
     window_->context().machine.start(0);  // by another program
     ASSERT_TRUE(comes_to(MachineState::carving));
-    expect_fit("two_jobs_carving");
-    expect_panels_fit("two_jobs_carving");
+    expect_with_panels_fit("two_jobs_carving");
 }
 
 TEST_P(Fit, WithASlicingThatWasRefused) {

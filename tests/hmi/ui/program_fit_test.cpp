@@ -9,12 +9,14 @@
 #include <QSpinBox>
 #include <QTabWidget>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "hmi/offsets/offsets_file.hpp"
 #include "hmi/ui/language.hpp"
@@ -26,8 +28,6 @@
 namespace psicarve::ui {
 namespace {
 
-constexpr QSize kProgramScreens[] = {{1280, 690}, {960, 515}, {640, 360}};
-
 class ProgramFit : public test::PagesRig {
 protected:
     /// One window walks through all.
@@ -37,7 +37,9 @@ protected:
             const QString code = QLatin1String(kLanguages[static_cast<std::size_t>(language)].code);
             part<QAction>(("language_" + code).toUtf8().constData()).trigger();
             ASSERT_TRUE(comes_true([&] { return used_language() == language; }));
-            for (const QSize& screen : kProgramScreens) {
+            // There and back: to stay costs nothing.
+            std::ranges::reverse(screens_);
+            for (const QSize& screen : screens_) {
                 window_->resize(screen);
                 show_page("program_page");
                 for (int look = 0; look < 5; ++look) {
@@ -77,6 +79,7 @@ protected:
     }
 
 private:
+    std::vector<QSize> screens_{{640, 360}, {960, 515}, {1280, 690}};
     std::set<std::string> seen_;
 };
 

@@ -82,13 +82,14 @@ protected:
                 EXPECT_EQ(sut.positions(), left);
             }
             if (is_lifted) {
-                EXPECT_NE(sut.cycle->sample().signals & bit_of(Signal::spindle), 0U);
+                EXPECT_NE(sut.cycle->pulses().levels() & bit_of(Signal::spindle), 0U);
             }
             // The path's last pulse may come in the very turn that ends with the lift's begin (two-timer). Of
             // links the core promises each axis' pulses, not which come together.
             const Positions now = sut.positions();
-            const bool is_link = sut.cycle->sample().points_done % kPoints == 0;
-            if (now != at && !was_lifted && !is_link) {
+            if (now == at) continue;
+            // A whole sample: not made at each tick.
+            if (!was_lifted && sut.cycle->sample().points_done % kPoints != 0) {
                 Positions way{};
                 for (std::size_t k = 0; k < kAxisCount; ++k) way[k] = now[k] - at[k];
                 course.order.push_back(way);

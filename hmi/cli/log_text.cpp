@@ -125,7 +125,8 @@ std::string job_text(const JournalRecord& record) {
         text += told(facts, "layers", ", ", " layers") + told(facts, "layer_points", " of ", " points") +
                 told(facts, "checksum", ", job ");
     }
-    text += told(facts, "first_layer", " with layer ") + told(facts, "how", ": ") + place_text(facts);
+    text += told(facts, "first_layer", " with layer ") + told(facts, "first_point", ", point ") +
+            told(facts, "how", ": ") + place_text(facts);
     if (facts.number("dry")) text += ", dry";
     return text;
 }

@@ -6,6 +6,7 @@
 #include "hmi/cli/checkpoint_text.hpp"
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/go_on_text.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/unfinished_look.hpp"
 #include "hmi/cli/unfinished_text.hpp"
@@ -19,7 +20,8 @@ constexpr CommandText kStartText{
     "start", "Drives and spindle on, heads to the job's first point, wait there",
     "Waits until the machine is there. With --carve it goes on to carve and returns when "
     "carving has begun.\n"
-    "After a stop, an alarm or a crash of the core --resume goes on behind the last finished layer, and\n"
+    "After a stop, an alarm or a crash of the core --resume goes on behind the last finished layer, with\n"
+    "the last good point of the next where that is known, and\n"
     "--from-layer with any other: its pulses are those of the whole run.\n"
     "--from-point goes on within that layer: the heads go in at that very point.\n"
     "With --layers it stops in order after so many layers; --from-layer goes on with the next.",
@@ -65,6 +67,14 @@ void tell_disk_source(machine::MachineLink& link, const StartOptions& options) {
     print_note(source);
 }
 
+/// A start that resumes goes on within a layer where it can.
+void tell_point(const machine::MachineLink& link, const StartOptions& options) {
+    if (!options.resume) return;
+    if (const auto place = place_to_go_on(link))
+        print_note("goes on within layer " + std::to_string(place->layer) + ", with its point " +
+                   std::to_string(place->point));
+}
+
 Result<int> start(const CommonOptions& common, const StartOptions& options) {
     auto link = link_to_core(common);
     if (!link) return link.error();
@@ -72,11 +82,13 @@ Result<int> start(const CommonOptions& common, const StartOptions& options) {
         !remark.empty())
         print_warning(remark);
     tell_disk_source(*link, options);
+    tell_point(*link, options);
     MotionCommand command{CommandKind::start, {}, {MachineState::waiting}};
     command.details.value = options.from_layer;
     command.details.value2 = options.layers;
     if (options.from_point != kFromBegin) set_start_point(command.details, options.from_point);
-    command.details.axis = (options.resume ? kStartResumes : 0) | (options.dry_run ? kStartsDry : 0);
+    command.details.axis =
+        (options.resume ? kStartResumes | kStartResumesWithin : 0) | (options.dry_run ? kStartsDry : 0);
     auto status = run_motion(*link, command);
     if (status && options.carve) status = run_motion(*link, {CommandKind::start_interpolation, {}, {}});
     if (!status) return status.error();

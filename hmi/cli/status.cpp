@@ -15,6 +15,7 @@
 #include "hmi/cli/commands.hpp"
 #include "hmi/cli/escaped_output.hpp"
 #include "hmi/cli/exit_code.hpp"
+#include "hmi/cli/go_on_text.hpp"
 #include "hmi/cli/known_profile.hpp"
 #include "hmi/cli/motion_command.hpp"
 #include "hmi/cli/program_sight.hpp"
@@ -152,15 +153,18 @@ Result<int> tell_without_core(const CommonOptions& common, const machine::Machin
     if (!is_gone) return error;
     if (common.json) {
         const Unfinished unfinished = pieces.without_core(link, common.segment);
-        if (!unfinished.found && !unfinished.is_silent) return error;
+        const auto place = link != nullptr ? place_to_go_on(*link) : std::nullopt;
+        if (!unfinished.found && !unfinished.is_silent && !place) return error;
         print_error(error);
         nlohmann::ordered_json object;
         object["error"] = nlohmann::ordered_json::parse(error_json(error));
         put_into(object, unfinished);
+        object["go_on"] = go_on_json(place);
         std::fputs((text_of(object) + "\n").c_str(), stdout);
         return exit_code_of(error.code);
     }
     print_error(error);
+    if (link != nullptr) std::fputs(go_on_text(place_to_go_on(*link)).c_str(), stdout);
     std::fputs(text_of(pieces.without_core(link, common.segment)).c_str(), stdout);
     return exit_code_of(error.code);
 }
@@ -178,6 +182,7 @@ std::string json_line(machine::MachineLink& link, const ProgramSight& sight, con
     object["last_program"] = last_program_json(sight.program.status);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
+    object["go_on"] = go_on_json(runs_job(status.state) ? std::nullopt : place_to_go_on(link));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
         object["job_remark"] = in_words(remarks);
         auto messages = nlohmann::ordered_json::array();
@@ -229,6 +234,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         std::string text = head_line(*link) + status_text(status, profile ? &*profile : nullptr, pass) +
                            program_text(program, status, profile ? &*profile : nullptr) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
+        if (!runs_job(status.state)) text += go_on_text(place_to_go_on(*link));
         if (const std::string remark = in_words(current_remarks(link->job_remarks(), checkpoint));
             !remark.empty())
             text += "mind       " + remark + "\n";

@@ -2,24 +2,14 @@
 #include "hmi/cli/unfinished_text.hpp"
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <vector>
 
+#include "hmi/cli/go_on_text.hpp"
 #include "hmi/report/utc_text.hpp"
 #include "shared/segment/segment.hpp"
 
 namespace psicarve::cli {
 namespace {
-
-/// As a shell reads it back.
-std::string as_shell_word(const std::string& text) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+=:,@%";
-    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-    std::string word = "'";
-    for (const char letter : text) word += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
-    return word + "'";
-}
 
 std::vector<std::string> steps_of(const FoundCheckpoint& found, const WayBack& way) {
     const Checkpoint& checkpoint = found.saved.checkpoint;

@@ -6,6 +6,7 @@
 #include "shared/base/message_text.hpp"
 #include "shared/computer/event.hpp"
 #include "shared/machine/message_argument.hpp"
+#include "shared/segment/reached_point.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "shared/wording/wording.hpp"
 
@@ -90,6 +91,10 @@ std::optional<Checkpoint> MachineLink::checkpoint() const noexcept {
     const auto checkpoint = read_record(segment_.header().checkpoint);
     if (!checkpoint || !is_checkpoint(*checkpoint)) return std::nullopt;
     return checkpoint;
+}
+
+std::optional<std::uint32_t> MachineLink::point_to_resume(const Checkpoint& checkpoint) const noexcept {
+    return psicarve::point_to_resume(segment_.header().reached_point.load(), checkpoint);
 }
 
 bool MachineLink::is_of_published_job(const Checkpoint& checkpoint) const noexcept {

@@ -51,6 +51,8 @@ public:
     std::string port_name() const;
     /// How far the last carving has come, checked; nothing when there was none.
     std::optional<Checkpoint> checkpoint() const noexcept;
+    /// The point of the checkpoint's next layer with which it goes on; see reached_point.hpp.
+    std::optional<std::uint32_t> point_to_resume(const Checkpoint& checkpoint) const noexcept;
     /// Whether it belongs to the job that is published now.
     bool is_of_published_job(const Checkpoint& checkpoint) const noexcept;
     /// A status that the living core wrote after this call began. no_core when none serves or it is silent.

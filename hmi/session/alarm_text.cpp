@@ -8,6 +8,7 @@
 #include "hmi/report/lost_steps.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/program_phrase.hpp"
+#include "hmi/session/start_place.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::session {
@@ -73,8 +74,8 @@ void add_way_back(const MachineView& machine, AlarmText& text) {
     if (machine.is_alarm_of_program) return text.steps.push_back(program_way_on(machine.program));
     const CoreStatus& status = *machine.status;
     if (status.points_done == 0 || status.points_done >= status.points_total) return;
-    if (machine.resumable_layer && status.is_dry == 0) {
-        text.steps.push_back(phrase("Continue from layer %1", std::to_string(*machine.resumable_layer + 1)));
+    if (const auto place = place_to_go_on(machine); place && status.is_dry == 0) {
+        text.steps.push_back(continue_text(*place));
     } else {
         text.steps.push_back(phrase("From layer %1", std::to_string(status.layer + 1)));
     }

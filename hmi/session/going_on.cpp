@@ -9,7 +9,7 @@
 #include "hmi/scene/radius_map.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/session/saved_piece.hpp"
-#include "shared/base/units.hpp"
+#include "hmi/session/start_place.hpp"
 #include "shared/machine/machine_state.hpp"
 
 namespace psicarve::session {
@@ -35,16 +35,21 @@ bool is_under_way(const MachineView& machine) noexcept {
 
 /// "Last good: layer 131, to its point 201."
 Phrase last_good(const UnfinishedPiece& piece, const cam::PreparedJob* job) {
+    if (piece.next_point) {
+        return phrase("Last good: layer %1, to its point %2.", std::to_string(piece.carved_layers + 1),
+                      std::to_string(*piece.next_point + 1));
+    }
     const std::string layer = std::to_string(piece.carved_layers);
     if (job == nullptr) return phrase("Last good layer: %1.", layer);
     return phrase("Last good: layer %1, to its point %2.", layer, std::to_string(job->view.point_count()));
 }
 
-/// The end of the run that this core carved, or the one before it.
-std::optional<Phrase> ended_at(const MachineView& machine) {
+/// The end of the run that this core carved, or the one before it, where it is not the last good point.
+std::optional<Phrase> ended_at(const UnfinishedPiece& piece, const MachineView& machine) {
     if (!machine.status || machine.status->is_dry != 0) return std::nullopt;
     const CoreStatus& status = *machine.status;
     if (status.points_done == 0 || status.points_done >= status.points_total) return std::nullopt;
+    if (piece.next_point == status.point && piece.carved_layers == status.layer) return std::nullopt;
     return phrase("It ended in layer %1, point %2.", std::to_string(status.layer + 1),
                   std::to_string(status.point + 1));
 }
@@ -60,17 +65,6 @@ std::optional<Phrase> to_do_first(const MachineView& machine) {
     return std::nullopt;
 }
 
-/// As described in docs/planning.md.
-Phrase approach(const cam::PreparedJob& job, std::uint32_t layer) {
-    constexpr int kWayDecimals = 2;
-    const LayerCurves curves = layer_curves(job, layer);
-    const double y_mm = mm_from_pulses(job.view.y_pulses(layer, 0), job.profile.y.pulses_per_mm);
-    return phrase("Then: heads out, Ψ to %1°, Y to %2 mm, spindle on, heads in to R1 %3, R2 %4 mm.",
-                  number_text(curves.psi_deg.front(), kWayDecimals), number_text(y_mm, kWayDecimals),
-                  number_text(curves.r1_mm.front(), kWayDecimals),
-                  number_text(curves.r2_mm.front(), kWayDecimals));
-}
-
 Phrase way_back(const UnfinishedPiece& piece) {
     return phrase(
         "The run before came to layer %1: if its piece is still mounted, From layer %2 "
@@ -80,32 +74,36 @@ Phrase way_back(const UnfinishedPiece& piece) {
 
 }  // namespace
 
-std::optional<std::uint32_t> layer_to_begin_with(const MachineView& machine, const OpenJobView& job,
-                                                 bool is_dry) {
+std::optional<StartPlace> place_to_begin_with(const MachineView& machine, const OpenJobView& job,
+                                              bool is_dry) {
     if (machine.is_heard() && machine.state() == MachineState::waiting) {
-        const std::uint32_t layer = machine.status->layer;
-        return layer != 0 && machine.status->is_dry == 0 ? std::optional{layer} : std::nullopt;
+        if (machine.status->is_dry != 0) return std::nullopt;
+        const StartPlace place = waiting_place(machine, job.core_layer_count);
+        return place == StartPlace{} ? std::nullopt : std::optional{place};
     }
     if (is_dry || is_under_way(machine) || !is_cores_job(machine, job)) return std::nullopt;
-    return machine.resumable_layer;
+    return place_to_go_on(machine);
 }
 
 Phrase start_text(const MachineView& machine, const OpenJobView& job, bool is_dry) {
     const bool waits = machine.is_heard() && machine.state() == MachineState::waiting;
     if (waits ? machine.status->is_dry != 0 : is_dry) return phrase("Start dry run");
-    const auto layer = layer_to_begin_with(machine, job, is_dry);
-    return layer ? phrase("Continue from layer %1", std::to_string(*layer + 1)) : phrase("Start");
+    const auto place = place_to_begin_with(machine, job, is_dry);
+    return place ? continue_text(*place) : phrase("Start");
 }
 
 std::optional<UnfinishedPiece> unfinished_piece(const MachineView& machine, const OpenJobView& job) {
     if (is_under_way(machine) || !is_cores_job(machine, job)) return std::nullopt;
     const UnfinishedPiece piece{machine.resumable_layer.value_or(0), machine.earlier_layer.value_or(0),
-                                machine.checkpoint_layer_count};
-    return piece.carved_layers == 0 && piece.earlier_layers == 0 ? std::nullopt : std::optional{piece};
+                                machine.checkpoint_layer_count, machine.resumable_point};
+    const bool is_none = piece.carved_layers == 0 && piece.earlier_layers == 0 && !piece.next_point;
+    return is_none ? std::nullopt : std::optional{piece};
 }
 
 Phrase unfinished_title(const UnfinishedPiece& piece) {
     const std::string count = std::to_string(piece.layer_count);
+    if (piece.carved_layers == 0 && piece.earlier_layers == 0)
+        return phrase("Unfinished: a part of the first of %1 layers is carved", count);
     if (piece.carved_layers == 0) return phrase("Begun anew: none of %1 layers is finished", count);
     return phrase("Unfinished: %1 of %2 layers are carved", std::to_string(piece.carved_layers), count);
 }
@@ -113,12 +111,14 @@ Phrase unfinished_title(const UnfinishedPiece& piece) {
 std::vector<Phrase> unfinished_details(const UnfinishedPiece& piece, const MachineView& machine,
                                        const cam::PreparedJob* job) {
     std::vector<Phrase> details;
-    if (piece.carved_layers != 0) details.push_back(last_good(piece, job));
+    const bool has_place = piece.carved_layers != 0 || piece.next_point;
+    if (has_place) details.push_back(last_good(piece, job));
     if (auto both = disagreement(machine)) details.push_back(*std::move(both));
-    if (auto end = ended_at(machine)) details.push_back(*std::move(end));
+    if (auto end = ended_at(piece, machine)) details.push_back(*std::move(end));
     if (auto first = to_do_first(machine)) details.push_back(*std::move(first));
-    if (piece.carved_layers != 0 && job != nullptr && piece.carved_layers < job->view.layer_count())
-        details.push_back(approach(*job, piece.carved_layers));
+    if (const StartPlace place{piece.carved_layers, piece.next_point};
+        has_place && job != nullptr && is_place_of(*job, place))
+        details.push_back(approach_text(*job, place));
     if (piece.earlier_layers != 0) details.push_back(way_back(piece));
     return details;
 }
@@ -160,6 +160,8 @@ CarvedPicture carved_picture(const cam::PreparedJob& job, std::uint32_t carved_l
 Phrase anew_question(const UnfinishedPiece& piece) {
     const std::string carved = std::to_string(piece.carved_layers);
     const std::string count = std::to_string(piece.layer_count);
+    if (piece.carved_layers == 0 && piece.earlier_layers == 0)
+        return phrase("A part of layer 1 of %1 is carved and would be carved again.", count);
     if (piece.carved_layers == 0) {
         return phrase(
             "The run before came to layer %1 of %2: if its piece is still mounted, From layer %3 goes on "

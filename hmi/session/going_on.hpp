@@ -12,11 +12,11 @@
 
 namespace psicarve::session {
 
-/// The layer, counted from 0, with which the button that starts the job begins: behind the last finished one
-/// of the published job, or where the heads wait; nothing: with the first. A dry run begins there, too.
-std::optional<std::uint32_t> layer_to_begin_with(const MachineView& machine, const OpenJobView& job,
-                                                 bool is_dry);
-/// That button's text: "Start", "Continue from layer 132", "Start dry run".
+/// The place with which the button that starts the job begins: where the piece of the published job goes on,
+/// or where the heads wait; nothing: with the first layer. A dry run begins there, too.
+std::optional<StartPlace> place_to_begin_with(const MachineView& machine, const OpenJobView& job,
+                                              bool is_dry);
+/// That button's text: "Start", "Continue from layer 132, point 57", "Start dry run".
 Phrase start_text(const MachineView& machine, const OpenJobView& job, bool is_dry);
 
 /// A piece of the published job that was begun and is not finished.
@@ -24,6 +24,8 @@ struct UnfinishedPiece {
     std::uint32_t carved_layers = 0;   ///< carved layers of the last run; 0: it finished none
     std::uint32_t earlier_layers = 0;  ///< carved layers of the run before, if it came further; else 0
     std::uint32_t layer_count = 0;
+    /// Up to which the layer behind these is carved, too, from 0; nothing: it is not known.
+    std::optional<std::uint32_t> next_point{};
 
     friend bool operator==(const UnfinishedPiece&, const UnfinishedPiece&) = default;
 };

@@ -214,6 +214,20 @@ void tell_program_hold(const JournalFacts& facts, Message& told) {
     }
 }
 
+void tell_job_start(const JournalFacts& facts, Message& told) {
+    const std::string source = facts.text("source");
+    const std::string layer = place_of(facts, "first_layer");
+    const std::string point = place_of(facts, "first_point");
+    const bool is_dry = facts.number("dry").has_value();
+    if (point.empty()) {
+        told.what = is_dry ? phrase("Dry run began with layer %2: %1", source, layer)
+                           : phrase("Carving began with layer %2: %1", source, layer);
+    } else {
+        told.what = is_dry ? phrase("Dry run began with layer %2, point %3: %1", source, layer, point)
+                           : phrase("Carving began with layer %2, point %3: %1", source, layer, point);
+    }
+}
+
 void tell_job(const JournalRecord& record, Message& told) {
     const JournalFacts& facts = record.facts;
     if (record.what == "loaded") {
@@ -223,10 +237,7 @@ void tell_job(const JournalRecord& record, Message& told) {
         told.what = joined(phrase("Job refused"), reason_of(facts, "job"));
         told.severity = Severity::warning;
     } else if (record.what == "started") {
-        const std::string layer = place_of(facts, "first_layer");
-        told.what = facts.number("dry")
-                        ? phrase("Dry run began with layer %2: %1", facts.text("source"), layer)
-                        : phrase("Carving began with layer %2: %1", facts.text("source"), layer);
+        tell_job_start(facts, told);
     } else if (record.what == "ended") {
         tell_job_end(facts, told);
     } else if (record.what == "program started") {

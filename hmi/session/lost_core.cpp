@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hmi/session/program_phrase.hpp"
+#include "hmi/session/start_place.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -89,8 +90,8 @@ void add_new_core(const MachineView& machine, AlarmText& text) {
 void add_way_on(const MachineView& machine, AlarmText& text) {
     if (is_within_program(machine)) return text.steps.push_back(program_way_on(machine.program));
     if (!is_within_job(machine) || machine.status->is_dry != 0) return;
-    if (machine.resumable_layer) {
-        text.steps.push_back(phrase("Continue from layer %1", std::to_string(*machine.resumable_layer + 1)));
+    if (const auto place = place_to_go_on(machine)) {
+        text.steps.push_back(continue_text(*place));
     } else {
         text.steps.push_back(phrase("Start: no layer was finished"));
     }

@@ -7,6 +7,7 @@
 
 #include "hmi/phrase/message_phrase.hpp"
 #include "hmi/session/saved_piece.hpp"
+#include "hmi/session/start_place.hpp"
 #include "shared/segment/segment_program.hpp"
 
 namespace psicarve::session {
@@ -185,6 +186,7 @@ void MachineSession::take_status(const CoreStatus& status, bool has_core) {
 
 void MachineSession::look_for_checkpoint() {
     view_.resumable_layer.reset();
+    view_.resumable_point.reset();
     view_.earlier_layer.reset();
     view_.is_checkpoint_from_disk = false;
     view_.is_disk_refusing = link_->segment().core_keeping().how == CoreKeeping::How::refused;
@@ -193,6 +195,7 @@ void MachineSession::look_for_checkpoint() {
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
         view_.resumable_layer = checkpoint->next_layer;
+    view_.resumable_point = link_->point_to_resume(*checkpoint);
     if (checkpoint->earlier_layer != 0) view_.earlier_layer = checkpoint->earlier_layer;
     view_.checkpoint_layer_count = checkpoint->layer_count;
     view_.checkpoint_job_checksum = checkpoint->job_checksum;
@@ -352,19 +355,12 @@ void MachineSession::order_and_tell(CommandKind kind, const std::function<void(b
         [answered] { answered(false); });
 }
 
-void MachineSession::start(std::uint32_t from_layer, std::uint32_t layers, RunKind kind) {
+void MachineSession::start(const StartPlace& from, std::uint32_t layers, RunKind kind) {
     if (view_.state() == MachineState::waiting)
         return order(CommandKind::start_interpolation, phrase("Start"));
-    Command command{};
-    command.kind = CommandKind::start;
-    command.value = from_layer;
-    command.value2 = layers;
-    const bool is_dry = kind == RunKind::dry;
-    if (is_dry) command.axis = kStartsDry;
-    // Then the core itself checks once more how far it came.
-    if (!is_dry && layers == 0 && view_.resumable_layer == from_layer) command.axis = kStartResumes;
+    const Command command = start_command(view_, from, layers, kind == RunKind::dry);
     intent_.drop();
-    send(command, phrase("Start"), [this] {
+    send(command, start_name(from), [this] {
         const auto status = link_ ? link_->last_status() : std::nullopt;
         if (status) intent_.arm(status->heartbeat);
     });

@@ -80,9 +80,13 @@ public:
     /// For a window that closes: poll() calls `answered` once the core has taken the order, or has refused it
     /// or kept silent; the last two become messages. May be seconds later when the core hangs.
     void order_and_tell(CommandKind kind, const std::function<void(bool was_taken)>& answered);
-    /// Moves the heads to the first point of the layer, then carves `layers` layers (0: all that follow). In
-    /// state waiting: carves what the heads wait for.
-    void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve);
+    /// Moves the heads to that place, then carves `layers` layers (0: all that follow). In state waiting:
+    /// carves what the heads wait for.
+    void start(const StartPlace& from, std::uint32_t layers = 0, RunKind kind = RunKind::carve);
+    /// From the layer's begin.
+    void start(std::uint32_t from_layer, std::uint32_t layers = 0, RunKind kind = RunKind::carve) {
+        start(StartPlace{from_layer, {}}, layers, kind);
+    }
     /// Makes segment and disk forget this unfinished piece, and no other: it will not be continued. The
     /// result becomes a message.
     void forget_piece(const RecordName& record);

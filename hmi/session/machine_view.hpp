@@ -31,6 +31,14 @@ constexpr CoreLife core_life(bool has_core, std::chrono::milliseconds silence) n
     return silence >= kFreshLimit ? CoreLife::late : CoreLife::alive;
 }
 
+/// Where a run of the job begins, counted from 0.
+struct StartPlace {
+    std::uint32_t layer = 0;
+    std::optional<std::uint32_t> point{};  ///< of the layer's table; nothing: the layer's begin
+
+    friend bool operator==(const StartPlace&, const StartPlace&) = default;
+};
+
 /// The machine at one instant, for the operator's side.
 struct MachineView {
     CoreLife life = CoreLife::none;
@@ -61,7 +69,10 @@ struct MachineView {
     /// The layer behind the last finished one of the published job, counted from 0; nothing: none was
     /// finished, or all.
     std::optional<std::uint32_t> resumable_layer;
-    /// The same for the run before, which that one began anew and has not passed.
+    /// The point of the layer behind the finished ones, be it the first, up to which that layer is carved,
+    /// too, counted from 0 as the status does; nothing: it is not known.
+    std::optional<std::uint32_t> resumable_point;
+    /// The layer for the run before, which that one began anew and has not passed.
     std::optional<std::uint32_t> earlier_layer;
     std::uint32_t checkpoint_layer_count = 0;  ///< of that job, where one of the two is known
     std::uint64_t checkpoint_job_checksum = 0;

@@ -9,6 +9,7 @@
 #include "hmi/phrase/warning_phrase.hpp"
 #include "hmi/session/core_job.hpp"
 #include "hmi/session/job_making.hpp"
+#include "hmi/session/start_place.hpp"
 
 namespace psicarve::session {
 
@@ -342,7 +343,7 @@ void OpenJob::poll(const MachineView& machine) {
 
 /// Makes the checksum only when it is needed: a large job takes a while.
 bool OpenJob::is_of_checkpoint(const MachineView& machine) {
-    const bool is_known = machine.resumable_layer || machine.earlier_layer;
+    const bool is_known = place_to_go_on(machine) || machine.earlier_layer;
     if (machine.is_heard() || !is_known || !job_ ||
         job_->view.layer_count() != machine.checkpoint_layer_count)
         return false;

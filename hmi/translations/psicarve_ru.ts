@@ -912,6 +912,10 @@
             <translation>Новую заготовку надо начинать со слоя 1.</translation>
         </message>
         <message>
+            <source>A part of layer 1 of %1 is carved and would be carved again.</source>
+            <translation>Часть слоя 1 из %1 вырезана и будет вырезана снова.</translation>
+        </message>
+        <message>
             <source>A program of another process runs. %1</source>
             <translation>Идёт программа другого процесса. %1</translation>
         </message>
@@ -1364,12 +1368,20 @@
             <translation>Режет с точки, где ждут головки (Ctrl+Enter)</translation>
         </message>
         <message>
+            <source>Carves the begun layer once more from its begin</source>
+            <translation>Вырезает начатый слой ещё раз с его начала</translation>
+        </message>
+        <message>
             <source>Carves this layer and stops in order; press again for the next one</source>
             <translation>Вырезает этот слой и останавливается; нажмите ещё раз для следующего</translation>
         </message>
         <message>
             <source>Carving</source>
             <translation>Резьба</translation>
+        </message>
+        <message>
+            <source>Carving began with layer %2, point %3: %1</source>
+            <translation>Резьба началась со слоя %2, точка %3: %1</translation>
         </message>
         <message>
             <source>Carving began with layer %2: %1</source>
@@ -1490,6 +1502,10 @@
         <message>
             <source>Continue from layer %1</source>
             <translation>Продолжить со слоя %1</translation>
+        </message>
+        <message>
+            <source>Continue from layer %1, point %2</source>
+            <translation>Далее: слой %1, точка %2</translation>
         </message>
         <message>
             <source>Controlled stop above this many missed ticks a second; 0: never.</source>
@@ -1652,8 +1668,16 @@
             <translation>Холостой прогон</translation>
         </message>
         <message>
+            <source>Dry run began with layer %2, point %3: %1</source>
+            <translation>Холостой прогон начался со слоя %2, точка %3: %1</translation>
+        </message>
+        <message>
             <source>Dry run began with layer %2: %1</source>
             <translation>Холостой прогон начался со слоя %2: %1</translation>
+        </message>
+        <message>
+            <source>Dry run from layer %1, point %2: the heads go out and stay there, spindle off; table and Y go as they would from there.</source>
+            <translation>Холостой прогон со слоя %1, точка %2: головки выходят и остаются снаружи, шпиндель выключен; стол и Y движутся оттуда как при резьбе.</translation>
         </message>
         <message>
             <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
@@ -2147,6 +2171,10 @@ F12  этот список</translation>
         <message>
             <source>Heads out, spindle off</source>
             <translation>Отвод головок, шпиндель выкл.</translation>
+        </message>
+        <message>
+            <source>Heads out, to point %2 of layer %1, then carve what is left (Ctrl+Enter)</source>
+            <translation>Головки наружу, к точке %2 слоя %1, затем резать остальное (Ctrl+Enter)</translation>
         </message>
         <message>
             <source>Heads out, to the first point of layer %1, then carve what is left (Ctrl+Enter)</source>
@@ -3521,6 +3549,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Точка %1</translation>
         </message>
         <message>
+            <source>Point of that layer to start from</source>
+            <translation>Точка этого слоя, с которой начать</translation>
+        </message>
+        <message>
             <source>Point, Ψ</source>
             <translation>Точка, Ψ</translation>
         </message>
@@ -4517,12 +4549,24 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пуск вхолостую со слоя %1</translation>
         </message>
         <message>
+            <source>Start dry run from layer %1, point %2</source>
+            <translation>Пуск вхолостую со слоя %1, точка %2</translation>
+        </message>
+        <message>
             <source>Start dry run from layer 1</source>
             <translation>Пуск вхолостую со слоя 1</translation>
         </message>
         <message>
             <source>Start from layer %1</source>
             <translation>Пуск со слоя %1</translation>
+        </message>
+        <message>
+            <source>Start from layer %1, point %2</source>
+            <translation>Пуск со слоя %1, точка %2</translation>
+        </message>
+        <message>
+            <source>Start from layer %1, point %2: what comes before it is left as it is. The heads go in at that very point, at plunge speed.</source>
+            <translation>Пуск со слоя %1, точка %2: что до неё, остаётся как есть. Головки подводятся именно в этой точке, со скоростью врезания.</translation>
         </message>
         <message>
             <source>Start from layer %1: the layers below are left as they are. The heads go out, Y goes to the layer, then the heads go in at plunge speed.</source>
@@ -5097,6 +5141,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Задание или снимок, к которому относится трасса</translation>
         </message>
         <message>
+            <source>The layer's begin, or the point at which the heads go in</source>
+            <translation>Начало слоя или точка, в которой подводятся головки</translation>
+        </message>
+        <message>
             <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>
             <translation>Слои отстоят на %1 мм, а инструмент шириной всего %2 мм: между ними остаётся материал высотой с заготовку; чем больше слоёв, тем его меньше.</translation>
         </message>
@@ -5591,6 +5639,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Unfinished: %1 of %2 layers of %3 are carved</source>
             <translation>Не закончено: «%3», вырезано слоёв %1 из %2</translation>
+        </message>
+        <message>
+            <source>Unfinished: a part of the first of %1 layers is carved</source>
+            <translation>Не закончено: вырезана часть первого из слоёв: %1</translation>
         </message>
         <message>
             <source>Unit</source>

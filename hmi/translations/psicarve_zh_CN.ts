@@ -912,6 +912,10 @@
             <translation>新毛坯必须从第 1 层开始。</translation>
         </message>
         <message>
+            <source>A part of layer 1 of %1 is carved and would be carved again.</source>
+            <translation>%1 层中的第 1 层已雕刻一部分，将重新雕刻。</translation>
+        </message>
+        <message>
             <source>A program of another process runs. %1</source>
             <translation>另一进程的程序正在运行。%1</translation>
         </message>
@@ -1364,12 +1368,20 @@
             <translation>从刀头等待的点开始雕刻（Ctrl+Enter）</translation>
         </message>
         <message>
+            <source>Carves the begun layer once more from its begin</source>
+            <translation>从头再雕刻一次已开始的那一层</translation>
+        </message>
+        <message>
             <source>Carves this layer and stops in order; press again for the next one</source>
             <translation>雕刻这一层后有序停止；再按一次雕刻下一层</translation>
         </message>
         <message>
             <source>Carving</source>
             <translation>雕刻</translation>
+        </message>
+        <message>
+            <source>Carving began with layer %2, point %3: %1</source>
+            <translation>从第 %2 层第 %3 点开始雕刻：%1</translation>
         </message>
         <message>
             <source>Carving began with layer %2: %1</source>
@@ -1490,6 +1502,10 @@
         <message>
             <source>Continue from layer %1</source>
             <translation>从第 %1 层继续</translation>
+        </message>
+        <message>
+            <source>Continue from layer %1, point %2</source>
+            <translation>从第 %1 层第 %2 点继续</translation>
         </message>
         <message>
             <source>Controlled stop above this many missed ticks a second; 0: never.</source>
@@ -1652,8 +1668,16 @@
             <translation>空运行</translation>
         </message>
         <message>
+            <source>Dry run began with layer %2, point %3: %1</source>
+            <translation>从第 %2 层第 %3 点开始空运行：%1</translation>
+        </message>
+        <message>
             <source>Dry run began with layer %2: %1</source>
             <translation>从第 %2 层开始空运行：%1</translation>
+        </message>
+        <message>
+            <source>Dry run from layer %1, point %2: the heads go out and stay there, spindle off; table and Y go as they would from there.</source>
+            <translation>从第 %1 层第 %2 点空运行：刀头退出并停在外面，主轴关闭；转台和 Y 从那里起照常运动。</translation>
         </message>
         <message>
             <source>Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, then table and Y go as they would.</source>
@@ -2146,6 +2170,10 @@ F12  本列表</translation>
         <message>
             <source>Heads out, spindle off</source>
             <translation>刀头退出，主轴关闭</translation>
+        </message>
+        <message>
+            <source>Heads out, to point %2 of layer %1, then carve what is left (Ctrl+Enter)</source>
+            <translation>刀头退出，到第 %1 层第 %2 点，然后雕刻其余部分（Ctrl+Enter）</translation>
         </message>
         <message>
             <source>Heads out, to the first point of layer %1, then carve what is left (Ctrl+Enter)</source>
@@ -3520,6 +3548,10 @@ N、Shift+N  下一条、上一条记录
             <translation>点 %1</translation>
         </message>
         <message>
+            <source>Point of that layer to start from</source>
+            <translation>该层的起始点</translation>
+        </message>
+        <message>
             <source>Point, Ψ</source>
             <translation>点，Ψ</translation>
         </message>
@@ -4512,12 +4544,24 @@ N、Shift+N  下一条、上一条记录
             <translation>从第 %1 层启动空运行</translation>
         </message>
         <message>
+            <source>Start dry run from layer %1, point %2</source>
+            <translation>从第 %1 层第 %2 点启动空运行</translation>
+        </message>
+        <message>
             <source>Start dry run from layer 1</source>
             <translation>从第 1 层启动空运行</translation>
         </message>
         <message>
             <source>Start from layer %1</source>
             <translation>从第 %1 层启动</translation>
+        </message>
+        <message>
+            <source>Start from layer %1, point %2</source>
+            <translation>从第 %1 层第 %2 点启动</translation>
+        </message>
+        <message>
+            <source>Start from layer %1, point %2: what comes before it is left as it is. The heads go in at that very point, at plunge speed.</source>
+            <translation>从第 %1 层第 %2 点启动：之前的部分保持原样。刀头就在这一点以切入速度进给。</translation>
         </message>
         <message>
             <source>Start from layer %1: the layers below are left as they are. The heads go out, Y goes to the layer, then the heads go in at plunge speed.</source>
@@ -5092,6 +5136,10 @@ N、Shift+N  下一条、上一条记录
             <translation>此轨迹所属的作业或快照</translation>
         </message>
         <message>
+            <source>The layer's begin, or the point at which the heads go in</source>
+            <translation>该层起点，或刀头进给的那一点</translation>
+        </message>
+        <message>
             <source>The layers lie %1 mm apart, but the tool is only %2 mm wide: between them material stays, as high as the blank; more layers leave less.</source>
             <translation>各层相距 %1 mm，而刀具仅宽 %2 mm：层间会留下与毛坯等高的材料；层数越多，残留越少。</translation>
         </message>
@@ -5586,6 +5634,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Unfinished: %1 of %2 layers of %3 are carved</source>
             <translation>未完成：“%3”已雕刻 %1 层，共 %2 层</translation>
+        </message>
+        <message>
+            <source>Unfinished: a part of the first of %1 layers is carved</source>
+            <translation>未完成：%1 层中的第一层已雕刻一部分</translation>
         </message>
         <message>
             <source>Unit</source>

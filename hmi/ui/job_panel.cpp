@@ -2,7 +2,6 @@
 #include "hmi/ui/job_panel.hpp"
 
 #include <QHBoxLayout>
-#include <QMessageBox>
 #include <QResizeEvent>
 #include <QSlider>
 #include <QSpinBox>
@@ -13,6 +12,7 @@
 #include "hmi/session/preflight.hpp"
 #include "hmi/session/saved_piece.hpp"
 #include "hmi/session/start_intent.hpp"
+#include "hmi/session/start_place.hpp"
 #include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/disk_piece_dialog.hpp"
 #include "hmi/ui/job_pair_view.hpp"
@@ -21,6 +21,7 @@
 #include "hmi/ui/order_card.hpp"
 #include "hmi/ui/preflight_list.hpp"
 #include "hmi/ui/report_dialog.hpp"
+#include "hmi/ui/start_from_dialog.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
 
@@ -31,6 +32,7 @@ using session::Action;
 
 constexpr int kFullPercent = 100;
 constexpr int kCloseGap = 2;
+constexpr int kLeastBox_px = 44;  // for four digits
 
 }  // namespace
 
@@ -96,6 +98,7 @@ void JobPanel::make_buttons() {
             [this](int chosen) { context_.first_layer.chosen = chosen; });
     layer_->setObjectName("layer");
     layer_->setAccessibleName(tr("Layer to start from"));
+    make_point_box();
     one_layer_ = new ActionButton{Action::one_layer, tr("One layer"), [this] { start_at_layer(1); }};
     one_layer_->setObjectName("one_layer");
     one_layer_->set_hint(tr("Carves this layer and stops in order; press again for the next one"));
@@ -104,9 +107,15 @@ void JobPanel::make_buttons() {
     from_layer_->set_hint(tr("Leaves out the layers before it"));
     auto* from = new QHBoxLayout;
     from->setSpacing(kSmallGap);
-    from->addWidget(one_layer_, 2);
-    from->addWidget(from_layer_, 2);
+    from->addWidget(one_layer_, 0);
+    from->addWidget(from_layer_, 0);
     from->addWidget(layer_, 1);
+    from->addWidget(point_, 1);
+    for (ActionButton* button : {one_layer_, from_layer_}) button->setProperty("narrow", true);
+    for (QSpinBox* box : {layer_, point_}) {
+        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        box->setMinimumWidth(kLeastBox_px);
+    }
     reason_ = role_label("label");
     reason_->setWordWrap(true);
     reason_->setMinimumHeight(32);
@@ -123,7 +132,21 @@ void JobPanel::make_buttons() {
     // What was refused was another start.
     const auto forget = [this] { context_.machine.forget_refused_order(session::OrderPlace::job); };
     connect(layer_, &QSpinBox::valueChanged, this, forget);
+    connect(point_, &QSpinBox::valueChanged, this, forget);
     connect(dry_run_, &QCheckBox::toggled, this, forget);
+}
+
+void JobPanel::make_point_box() {
+    point_ = new QSpinBox;
+    ignore_wheel(point_);
+    point_->setRange(0, context_.first_layer.point);
+    point_->setSpecialValueText(QStringLiteral("–"));  // the layer's begin
+    point_->setValue(context_.first_layer.point);
+    connect(point_, &QSpinBox::valueChanged, this, [this](int point) { context_.first_layer.point = point; });
+    // A point was chosen of the layer that stood there.
+    connect(layer_, &QSpinBox::valueChanged, this, [this] { point_->setValue(0); });
+    point_->setObjectName("point");
+    point_->setAccessibleName(tr("Point of that layer to start from"));
 }
 
 void JobPanel::make_override() {
@@ -157,44 +180,32 @@ void JobPanel::make_override() {
     body().addLayout(row);
 }
 
-void JobPanel::start_at_layer(std::uint32_t layers) {
-    const auto layer = static_cast<std::uint32_t>(layer_->value());
-    // Layer after layer there is nothing to ask: it is where the carving stopped.
-    const bool is_next = layers > 0 && layer == context_.first_layer.offered + 1;
-    const session::RunKind kind = context_.wanted_run;  // whatever is chosen while it is asked
-    // What only a disk knows is asked for by its own question, however the layer is started.
-    if (kind == session::RunKind::carve && session::is_from_disk_alone(context_.machine.view(), layer - 1)) {
-        if (asked_to_go_on_from_disk(context_, layer - 1, window()))
-            context_.machine.start(layer - 1, layers, kind);
-        return;
-    }
-    if (is_next || may_start_from_layer(layer, kind)) context_.machine.start(layer - 1, layers, kind);
+session::StartPlace JobPanel::chosen_place() const {
+    session::StartPlace place{static_cast<std::uint32_t>(layer_->value()) - 1, {}};
+    if (point_->value() != 0) place.point = static_cast<std::uint32_t>(point_->value()) - 1;
+    return place;
 }
 
-bool JobPanel::may_start_from_layer(std::uint32_t layer, session::RunKind kind) {
-    if (layer == 1) return kind == session::RunKind::dry || asked_to_begin_anew(context_, kind, window());
-    const bool is_resumed = context_.machine.view().resumable_layer == layer - 1;
-    const QString finished =
-        is_resumed ? QStringLiteral("\n\n") + tr("Layer %1 was the last that was finished.").arg(layer - 1)
-                   : QString{};
-    const bool is_dry = kind == session::RunKind::dry;
-    const QString how =
-        is_dry
-            ? tr("Dry run from layer %1: the heads go out and stay there, spindle off; Y goes to the layer, "
-                 "then table and Y go as they would.")
-            : tr("Start from layer %1: the layers below are left as they are. The heads go out, Y goes "
-                 "to the layer, "
-                 "then the heads go in at plunge speed.");
-    QMessageBox box{QMessageBox::Question, tr("From layer"), how.arg(layer) + finished, QMessageBox::NoButton,
-                    window()};
-    QPushButton* go =
-        box.addButton((is_dry ? tr("Start dry run from layer %1") : tr("Start from layer %1")).arg(layer),
-                      QMessageBox::AcceptRole);
-    go->setObjectName("from_layer_go");
-    QPushButton* none = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
-    none->setObjectName("from_layer_cancel");
-    box.setDefaultButton(none);
-    return asked_of_this_piece(context_, box, go);
+void JobPanel::start_at_layer(std::uint32_t layers) {
+    const session::StartPlace from = chosen_place();
+    const session::MachineView& machine_view = context_.machine.view();
+    // Layer after layer there is nothing to ask: it is where the carving stopped.
+    const bool is_next = layers > 0 && from.layer == context_.first_layer.offered &&
+                         (!from.point || session::place_to_go_on(machine_view) == from);
+    const session::RunKind kind = context_.wanted_run;  // whatever is chosen while it is asked
+    // What only a disk knows is asked for by its own question, however the layer is started.
+    if (kind == session::RunKind::carve && session::is_from_disk_alone(machine_view, from.layer)) {
+        if (asked_to_go_on_from_disk(context_, from.layer, window()))
+            context_.machine.start(from, layers, kind);
+        return;
+    }
+    if (is_next || may_start_from(from, kind)) context_.machine.start(from, layers, kind);
+}
+
+bool JobPanel::may_start_from(const session::StartPlace& from, session::RunKind kind) {
+    if (from == session::StartPlace{})
+        return kind == session::RunKind::dry || asked_to_begin_anew(context_, kind, window());
+    return asked_to_start_from(context_, from, kind, window());
 }
 
 void JobPanel::show_report() {
@@ -233,7 +244,10 @@ void JobPanel::change_override(int percent) {
 
 void JobPanel::refresh_jobs() {
     jobs_->refresh();
-    if (const auto job = jobs_->job()) layer_->setMaximum(static_cast<int>(job->view.layer_count()));
+    const auto job = jobs_->job();
+    if (!job) return;
+    layer_->setMaximum(static_cast<int>(job->view.layer_count()));
+    point_->setMaximum(static_cast<int>(job->view.point_count()));
 }
 
 void JobPanel::resizeEvent(QResizeEvent* event) {
@@ -288,6 +302,7 @@ void JobPanel::refresh_buttons() {
     for (ActionButton* button : {start_, hold_, resume_, stop_, one_layer_, from_layer_, report_})
         button->refresh(context_);
     lock_with(*layer_, from_layer_->reason());
+    lock_with(*point_, from_layer_->reason(), tr("The layer's begin, or the point at which the heads go in"));
     const auto resumable = context_.machine.view().resumable_layer;
     from_layer_->set_hint(
         resumable ? tr("Leaves out the layers before it; %1 was the last that was finished").arg(*resumable)

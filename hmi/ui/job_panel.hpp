@@ -41,6 +41,7 @@ private:
 
     void make_jobs();
     void make_buttons();
+    void make_point_box();
     void make_override();
     void refresh_jobs();
     void fit();
@@ -53,7 +54,8 @@ private:
     /// 0 layers: all that follow.
     void start_at_layer(std::uint32_t layers);
     void show_report();
-    bool may_start_from_layer(std::uint32_t layer, session::RunKind kind);
+    session::StartPlace chosen_place() const;
+    bool may_start_from(const session::StartPlace& from, session::RunKind kind);
 
     WindowContext& context_;
     const Tokens* tokens_ = nullptr;
@@ -70,6 +72,7 @@ private:
     ActionButton* one_layer_;
     ActionButton* from_layer_;
     QSpinBox* layer_;
+    QSpinBox* point_;
     QLabel* reason_;
     OrderCard* refused_;
     QSlider* override_;

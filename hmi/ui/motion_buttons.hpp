@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 
+#include "hmi/session/machine_view.hpp"
 #include "hmi/ui/action_button.hpp"
 
 namespace psicarve::ui {
@@ -23,8 +23,8 @@ MotionButtons make_motion_buttons(WindowContext& context);
 QString why_locked(const MotionButtons& buttons);
 /// The same, and where Start works what should be looked at before; empty: nothing.
 QString said_beside(const MotionButtons& buttons, const QString& to_look_at);
-/// From 0; nothing: with the first. What Start begins with.
-std::optional<std::uint32_t> layer_to_begin_with(const WindowContext& context);
+/// What Start begins with; nothing: with the first layer.
+std::optional<session::StartPlace> place_to_begin_with(const WindowContext& context);
 /// Start says what it would start: the job, what is left of it, or a dry run.
 void show_what_starts(ActionButton& start, const WindowContext& context);
 

@@ -56,6 +56,8 @@ QPushButton[main="true"]:disabled { background: @panel; color: @dis; border-colo
 QPushButton[strong="true"] { font-weight: 700; min-height: 38px; padding: 0 2px; }
 QDialogButtonBox QPushButton { min-width: 60px; }
 QPushButton[low="yes"] { min-height: 30px; }
+QPushButton[narrow="true"] { padding: 0 2px; }
+QPushButton[lines="two"] { min-height: 38px; }
 QPushButton[small="true"] { min-height: 22px; padding: 0 6px; }
 QPushButton[estop="true"] { background: @alarm_fill; color: @on_fill; border: 3px solid @warn_fill; border-radius: 4px;
     font-weight: 700; font-size: 13px; padding: 0 4px; min-height: 50px; }

@@ -9,6 +9,7 @@
 
 #include "hmi/session/lost_core.hpp"
 #include "hmi/session/saved_piece.hpp"
+#include "hmi/session/start_place.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/anew_dialog.hpp"
 #include "hmi/ui/disk_piece_dialog.hpp"
@@ -33,11 +34,14 @@ UnfinishedBar::UnfinishedBar(WindowContext& context, QWidget* parent)
     : NoticeBar("unfinished", Glyph::info, parent),
       context_(context),
       details_(add_text("details")),
+      from_begin_(new ActionButton{session::Action::from_layer, QString{}, [this] { begin_layer_anew(); }}),
       anew_(new ActionButton{session::Action::from_layer, tr("Start anew…"), [this] { begin_anew(); }}),
       open_(new QPushButton{tr("Open its job")}),
       forget_(new QPushButton{tr("Forget…")}),
       dismiss_(new QPushButton{tr("Dismiss")}),
       ways_out_(new QBoxLayout{QBoxLayout::LeftToRight}) {
+    from_begin_->setObjectName("continue_layer");
+    from_begin_->set_hint(tr("Carves the begun layer once more from its begin"));
     anew_->setObjectName("start_anew");
     anew_->set_hint(tr("Begins with layer 1 again; it asks first"));
     open_->setObjectName("unfinished_open");
@@ -57,6 +61,7 @@ UnfinishedBar::UnfinishedBar(WindowContext& context, QWidget* parent)
     ways_out_->setSpacing(kSmallGap);
     ways_out_->addWidget(forget_);
     ways_out_->addWidget(dismiss_);
+    add_button(from_begin_);
     add_button(anew_);
     add_button(open_);
     add_buttons(ways_out_);
@@ -109,6 +114,12 @@ void UnfinishedBar::begin_anew() {
     if (asked_to_begin_anew(context_, kind, window())) context_.machine.start(0, 0, kind);
 }
 
+void UnfinishedBar::begin_layer_anew() {
+    const auto begun = piece();
+    if (begun && begun->carved_layers != 0)
+        context_.machine.start(begun->carved_layers, 0, context_.wanted_run);
+}
+
 void UnfinishedBar::refresh() {
     forget_dismissed();
     const auto shown = piece();
@@ -120,6 +131,9 @@ void UnfinishedBar::refresh() {
     set_shown(is_there);
     if (!is_there) return;
     if (anew_->isHidden() == is_piece) anew_->setVisible(is_piece);
+    // In a small window From layer offers the same.
+    const bool is_within = is_piece && shown->next_point && shown->carved_layers != 0 && !is_small_;
+    if (from_begin_->isHidden() == is_within) from_begin_->setVisible(is_within);
     const bool can_forget = found != nullptr || context_.machine.view().is_checkpoint_from_disk;
     if (forget_->isHidden() == can_forget) forget_->setVisible(can_forget);
     const bool can_open = found != nullptr && !found->job_path.empty();
@@ -138,6 +152,9 @@ void UnfinishedBar::show_piece(const session::UnfinishedPiece& piece) {
     show_texts(words(session::unfinished_title(piece)),
                is_small_ ? in_one_line(session::unfinished_needs(piece, view)) : all, all);
     anew_->refresh(context_);
+    const QString text = words(session::continue_text({piece.carved_layers, {}}));
+    if (from_begin_->text() != text) from_begin_->setText(text);
+    from_begin_->refresh(context_);
 }
 
 void UnfinishedBar::show_saved(const FoundCheckpoint& found) {

@@ -21,7 +21,8 @@ class ActionButton;
 
 /// Which piece is unfinished, also one that only a disk knows after the computer was switched off, where it
 /// goes on, on which way the heads come there and what has to be done first. Above all pages whenever there
-/// is one and nothing louder, until it goes on or somebody has dismissed it. Begins it anew, once asked.
+/// is one and nothing louder, until it goes on or somebody has dismissed it. Begins it anew, once asked, and,
+/// where Start goes on within a layer, goes on from that layer's begin.
 class UnfinishedBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnfinishedBar)
 public:
@@ -42,9 +43,11 @@ private:
     std::uint64_t job_generation() const;
     void forget_dismissed();
     void begin_anew();
+    void begin_layer_anew();
 
     WindowContext& context_;
     QLabel* details_;
+    ActionButton* from_begin_;  ///< of the layer within which it goes on
     ActionButton* anew_;
     QPushButton* open_;
     QPushButton* forget_;

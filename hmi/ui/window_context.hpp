@@ -95,10 +95,11 @@ struct WindowContext {
     session::LayerCursor layer_cursor;
     std::uint64_t read_messages = 0;                        ///< that somebody had the page open for
     session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
-    /// The box that says with which layer to begin.
+    /// The boxes that say with which layer to begin, and with which of its points.
     struct LayerChoice {
         std::uint32_t offered = 0;  ///< by the machine, from 0
         int chosen = 1;             ///< as it is shown, from 1
+        int point = 0;              ///< of that layer, as it is shown, from 1; 0: its begin
     };
     LayerChoice first_layer;
 

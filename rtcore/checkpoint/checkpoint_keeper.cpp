@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "shared/machine/machine_state.hpp"
+#include "shared/segment/reached_point.hpp"
 #include "shared/segment/shared_record.hpp"
 
 namespace psicarve::supervisor {
@@ -14,11 +15,22 @@ std::uint32_t origin_of(bool is_simulator) noexcept {
     return is_simulator ? kCheckpointSimulated : 0;
 }
 
+/// Of the job, that the segment says are carved without a gap. Requires its record of this job.
+std::uint64_t points_known(const SegmentHeader& header, const Checkpoint& known,
+                           const JobView& job) noexcept {
+    const std::uint64_t finished = std::uint64_t{known.next_layer} * job.point_count();
+    const auto point = point_to_resume(header.reached_point.load(), known);
+    if (!point || *point >= job.point_count()) return finished;
+    // Turned round twice the order is what it was.
+    return finished + carved_point(job.joining(), job.point_count(), known.next_layer, *point) + 1;
+}
+
 }  // namespace
 
 bool CheckpointKeeper::clear_foreign(SegmentHeader& header) const noexcept {
     const auto found = read_record(header.checkpoint);
     if (!found || !is_checkpoint(*found) || found->is_simulated() == is_simulator_) return false;
+    header.reached_point.store(0);
     write_record(header.checkpoint, Checkpoint{});
     return true;
 }
@@ -45,21 +57,42 @@ std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle:
     is_announced_ = false;
     if (begun_tick_ != run_start_tick_) begin_run(header, {sample.first_layer, sample.first_step}, *job);
     if (leaves_gap_) return std::nullopt;
-    if (reached_job_ != job->checksum) reached_points_ = 0;
-    reached_job_ = job->checksum;
     reached_points_ = std::max<std::uint64_t>(reached_points_, sample.points_done);
     const std::uint64_t layers_done =
         std::max<std::uint64_t>(carved_before_, sample.points_done / job->view.point_count());
     const auto next_layer =
         static_cast<std::uint32_t>(std::min<std::uint64_t>(layers_done, job->view.layer_count()));
     const std::uint32_t earlier = earlier_layer_ > next_layer ? earlier_layer_ : 0;
-    if (written_job_ == job->generation && written_ && written_->next_layer == next_layer &&
-        written_->earlier_layer == earlier)
-        return std::nullopt;
-    written_ = own(*job, next_layer, earlier);
-    written_job_ = job->generation;
-    write_record(header.checkpoint, *written_);
-    return ToKeep{*written_, Keeping::carved};
+    const bool is_written = written_job_ == job->generation && written_ &&
+                            written_->next_layer == next_layer && written_->earlier_layer == earlier;
+    if (!is_written) {
+        written_ = own(*job, next_layer, earlier);
+        written_job_ = job->generation;
+        write_record(header.checkpoint, *written_);
+    }
+    // Whoever dies between the two leaves a point that is not of the record's layer, which counts for
+    // nothing.
+    note_point(header, sample, *job, next_layer);
+    return is_written ? std::nullopt : std::optional{ToKeep{*written_, Keeping::carved}};
+}
+
+void CheckpointKeeper::note_point(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob& job,
+                                  std::uint32_t next_layer) noexcept {
+    // From how many of a run's points on steps were lost nobody knows: the layer is proposed.
+    has_lost_steps_ = has_lost_steps_ || sample.alarm_cause == AlarmCause::steps_lost;
+    const std::uint32_t count = job.view.point_count();
+    const std::uint64_t step = reached_points_ - std::uint64_t{next_layer} * count;  // one more than it
+    // The first point is the layer's begin; with the last nothing is left of it.
+    const bool is_within = !has_lost_steps_ && step > 1 && step < count;
+    if (!is_within) return write_point(header, 0);
+    const std::uint32_t point =
+        carved_point(job.view.joining(), count, next_layer, static_cast<std::uint32_t>(step - 1));
+    write_point(header, reached_word(job.checksum, next_layer, point));
+}
+
+void CheckpointKeeper::write_point(SegmentHeader& header, std::uint64_t word) noexcept {
+    if (std::exchange(written_word_, word) == word) return;
+    header.reached_point.store(word);
 }
 
 std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
@@ -87,6 +120,7 @@ std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, co
 CheckpointKeeper::TakenOver CheckpointKeeper::take_over(SegmentHeader& header, const Checkpoint& left,
                                                         const LoadedJob& job) const {
     const auto place = [&] {
+        header.reached_point.store(0);
         write_record(header.checkpoint,
                      checkpoint_at(left.job_checksum, left.next_layer, left.layer_count, left.earlier_layer,
                                    origin_of(is_simulator_) | kCheckpointFromDisk));
@@ -117,8 +151,10 @@ void CheckpointKeeper::forget(SegmentHeader& header, const RecordName& record) n
     const auto known = read_record(header.checkpoint);
     if (known && is_checkpoint(*known) && known->job_checksum != record.job_checksum) return;
     if (written_ && written_->job_checksum != record.job_checksum) return;
+    write_point(header, 0);
     write_record(header.checkpoint, Checkpoint{});
     written_.reset();
+    reached_points_ = 0;
     begun_tick_ = run_start_tick_;
     leaves_gap_ = true;  // the samples of the run that has ended write nothing more
 }
@@ -129,13 +165,16 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, const RunBegin& be
     begun_tick_ = run_start_tick_;
     carved_before_ = 0;
     earlier_layer_ = 0;
+    has_lost_steps_ = false;
+    written_word_.reset();
+    const auto before = known_of(header, job);
+    const bool is_whole = first_layer == 0 && begin.step == 0;
+    reached_points_ = before && !is_whole ? points_known(header, *before, job.view) : 0;
     // The operator who begins with a later layer has seen that the earlier ones are carved; within a layer
     // that is not enough.
     leaves_gap_ = !is_known(begin, job);
-    if (first_layer == 0 && begin.step == 0) reached_points_ = 0;
-    const auto before = known_of(header, job);
     if (!before) return;
-    if (first_layer == 0 && begin.step == 0) {
+    if (is_whole) {
         earlier_layer_ = before->left_behind();
         return;
     }
@@ -147,16 +186,16 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, const RunBegin& be
     leaves_gap_ = first_layer > carved_before_ || (first_layer == carved_before_ && !is_known(begin, job));
 }
 
-/// Whether the piece is carved up to this point of the layer after those that are finished: by what this core
-/// saw itself, since a record has layers alone.
+/// Whether the piece is carved up to this point of the layer after those that are finished.
 bool CheckpointKeeper::is_known(const RunBegin& begin, const LoadedJob& job) const noexcept {
     if (begin.step == 0) return true;
-    return reached_job_ == job.checksum &&
-           begin.layer * job.view.point_count() + begin.step < reached_points_;
+    return begin.layer * job.view.point_count() + begin.step < reached_points_;
 }
 
 void CheckpointKeeper::write_anew(SegmentHeader& header) const noexcept {
-    if (written_) write_record(header.checkpoint, *written_);
+    if (!written_) return;
+    write_record(header.checkpoint, *written_);
+    header.reached_point.store(written_word_.value_or(0));
 }
 
 // Ticks and points of a run stay in the sample after its end, also when the next job is loaded.

@@ -24,13 +24,13 @@ struct ToKeep {
     Keeping why;
 };
 
-/// Writes into the segment how far a carving has come, a layer at a time, while it carves and as it ends,
-/// however it ends. A run of the whole job begins anew, since the layers carved before may be another
-/// piece's; how far those came stands beside it until it is passed, so that a start by mistake leaves a way
-/// back. A run that begins with a later layer continues from the checkpoint, if it leaves no layer out; or,
-/// with exactly the layer behind the run before, it goes back to that run's piece; any other leaves the
-/// checkpoint at the first layer that is not carved. A record of the other kind of machine does not count.
-/// Used by the supervisor's thread.
+/// Writes into the segment how far a carving has come, a layer at a time and, beside it, the point within the
+/// layer that follows (reached_point.hpp), while it carves and as it ends, however it ends. A run of the
+/// whole job begins anew, since the layers carved before may be another piece's; how far those came stands
+/// beside it until it is passed, so that a start by mistake leaves a way back. A run that begins with a later
+/// layer continues from the checkpoint, if it leaves no layer out; or, with exactly the layer behind the run
+/// before, it goes back to that run's piece; any other leaves the checkpoint at the first layer that is not
+/// carved. A record of the other kind of machine does not count. Used by the supervisor's thread.
 class CheckpointKeeper {
 public:
     explicit CheckpointKeeper(bool is_simulator) noexcept : is_simulator_(is_simulator) {}
@@ -76,6 +76,9 @@ private:
     };
     void begin_run(const SegmentHeader& header, const RunBegin& begin, const LoadedJob& job) noexcept;
     bool is_known(const RunBegin& begin, const LoadedJob& job) const noexcept;
+    void note_point(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob& job,
+                    std::uint32_t next_layer) noexcept;
+    void write_point(SegmentHeader& header, std::uint64_t word) noexcept;
 
     bool is_simulator_;
     std::uint64_t run_generation_ = 0;  ///< of the run seen last, and when it was started
@@ -87,8 +90,9 @@ private:
     bool is_announced_ = false;      ///< a run that has not left its first point
     std::uint64_t written_job_ = 0;  ///< generation
     std::optional<Checkpoint> written_;
-    std::uint64_t reached_job_ = 0;     ///< checksum
-    std::uint64_t reached_points_ = 0;  ///< of it, by the last run that left no gap
+    std::uint64_t reached_points_ = 0;  ///< of the job, without a gap, since the last begin of the whole
+    bool has_lost_steps_ = false;       ///< in this run: its points are no good places
+    std::optional<std::uint64_t> written_word_;  ///< of reached_point.hpp, in this run
 };
 
 }  // namespace psicarve::supervisor

@@ -55,6 +55,12 @@ void add_line(JournalFacts& facts, const ProgramStatus& program) {
     facts.add("line", static_cast<std::int64_t>(program.line));
 }
 
+/// As the status counts points.
+std::int64_t first_point_of(const cycle::Sample& sample, const JobView& job) noexcept {
+    return carved_point(job.joining(), job.point_count(), static_cast<std::uint32_t>(sample.first_layer),
+                        static_cast<std::uint32_t>(sample.first_step));
+}
+
 }  // namespace
 
 Journal::Journal(const JournalStart& start) {
@@ -138,6 +144,8 @@ void Journal::note_state(MachineState entered, const cycle::Sample& sample, cons
         facts.add("source", job->view.source_name());
     if (runs_job(entered)) {
         facts.add("first_layer", static_cast<std::int64_t>(sample.first_layer));
+        if (sample.first_step != 0 && job != nullptr && job->generation == sample.job_generation)
+            facts.add("first_point", first_point_of(sample, job->view));
         if (sample.is_dry != 0) facts.add("dry", std::int64_t{1});
         return put(JournalKind::job, "started", sample.tick, std::move(facts));
     }

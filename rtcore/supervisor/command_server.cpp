@@ -10,6 +10,7 @@
 #include "shared/machine/message_argument.hpp"
 #include "shared/record/saved_checkpoint.hpp"
 #include "shared/segment/checkpoint.hpp"
+#include "shared/segment/reached_point.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "shared/wording/wording.hpp"
 
@@ -22,16 +23,26 @@ constexpr std::chrono::milliseconds kLongestTrust{100};
 constexpr int kMostOfARound = 16;
 constexpr std::chrono::milliseconds kLookInterval{50};  ///< for slots of senders that died
 
+bool is_of(const std::optional<Checkpoint>& known, const LoadedJob& job) noexcept {
+    return known && known->job_checksum == job.checksum && known->layer_count == job.view.layer_count();
+}
+
 /// A start that is to resume names neither layer nor point: where the checkpoint says, if it is this job's.
 Result<Command> with_layer(const Command& command, Segment& segment, const LoadedJob* job) {
     if (command.kind != CommandKind::start || (command.axis & kStartResumes) == 0) return command;
     if (job == nullptr) return error_from(ErrorCode::machine_refused, message_of(MessageId::no_job));
-    const auto layer =
-        layer_to_resume(read_record(segment.header().checkpoint), job->checksum, job->view.layer_count());
+    const auto known = read_record(segment.header().checkpoint);
+    const auto point = (command.axis & kStartResumesWithin) != 0 && is_of(known, *job)
+                           ? point_to_resume(segment.header().reached_point.load(), *known)
+                           : std::nullopt;
+    // In the first layer no layer is finished, and a point may be reached all the same.
+    const auto layer = point ? Result<std::uint32_t>{known->next_layer}
+                             : layer_to_resume(known, job->checksum, job->view.layer_count());
     if (!layer) return layer.error();
     Command resuming = command;
     resuming.value = *layer;
     resuming.value2 = start_layers(command);
+    if (point) set_start_point(resuming, *point);
     return resuming;
 }
 

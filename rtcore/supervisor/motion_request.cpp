@@ -138,7 +138,7 @@ constexpr RecordedStart kReadBack =
 static_assert(kReadBack.first_layer == 700'001 && kReadBack.layers == 600'001 &&
                   kReadBack.point_number == 500'001 && kReadBack.is_dry,
               "readers of the flight recorder read it so");
-static_assert(cycle::kMostOfRange >= kMaxJobCount);
+static_assert(cycle::kMostOfRange > kMaxJobCount);
 
 Result<void> add_layers(Request& request, const Command& command) {
     const bool is_layer = command.value >= 0.0 && command.value < kMaxJobCount;
@@ -146,9 +146,9 @@ Result<void> add_layers(Request& request, const Command& command) {
     if (!is_layer || static_cast<double>(first) != command.value)
         return refused(message_of(MessageId::layers_not_whole));
     const std::uint32_t count = start_layers(command);
-    const std::uint32_t point_number = start_point_number(command);
-    if (count > kMaxJobCount || point_number > kMaxJobCount)
-        return refused(message_of(MessageId::no_such_first_layer));
+    if (count > kMaxJobCount) return refused(message_of(MessageId::no_such_first_layer));
+    // A point that no layer has: the tick refuses it, as it does those that this job's layers have not.
+    const std::uint32_t point_number = std::min(start_point_number(command), cycle::kMostOfRange);
     request.value =
         cycle::packed(cycle::LayerRange{first, count, (command.axis & kStartsDry) != 0, point_number});
     return {};

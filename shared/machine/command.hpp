@@ -53,6 +53,8 @@ inline constexpr std::uint32_t kMostOverride_percent = 200;
 inline constexpr std::uint32_t kStartResumes = 1;
 /// Of a start: heads outside and still, spindle off; table and Y go as they would. No checkpoint.
 inline constexpr std::uint32_t kStartsDry = 2;
+/// With kStartResumes: and with the point of that layer that was reached last, where it is known.
+inline constexpr std::uint32_t kStartResumesWithin = 4;
 
 /// Of a program: it waits for a resume after each of its blocks.
 inline constexpr std::uint32_t kProgramIsSingle = 1;

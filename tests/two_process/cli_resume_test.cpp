@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
 #include "tests/two_process/commanded_core.hpp"
 
 namespace psicarve::test {
@@ -79,6 +86,85 @@ TEST_F(ResumeCommand, GoesOnWithinALayerWhereItIsToldTo) {
     const Outcome earlier = run({"verify", file("a.trace"), "--from-layer", "2", "--from-point", "4"});
     EXPECT_EQ(earlier.exit_code, 6);
     EXPECT_NE(earlier.out.find("behind 5 points of layer 2"), std::string::npos) << earlier.out;
+}
+
+TEST_F(ResumeCommand, StatusTellsWithWhichPointAnEndedCarvingGoesOn) {
+    start_core();
+    ASSERT_EQ(run({"publish", sliced_box("1500", "361", {"--joining", "zigzag"})}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    EXPECT_EQ(run({"status", "--json"}).json()["go_on"], nullptr);
+    ASSERT_EQ(run({"start", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3 * 361 + 20; }));
+    EXPECT_EQ(run({"status"}).out.find("go on "), std::string::npos) << "it is being carved";
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const CoreStatus ended = status();
+    ASSERT_LT(ended.points_done, ended.points_total);
+    ASSERT_GT(ended.points_done % 361, 1U) << "the test wants an end within a layer";
+    const std::string command = "psicarve start --from-layer " + std::to_string(ended.layer) +
+                                " --from-point " + std::to_string(ended.point) + " --segment " + segment_;
+    EXPECT_NE(run({"status"}).out.find("go on      " + command + "\n"), std::string::npos)
+        << run({"status"}).out;
+    const auto go_on = run({"status", "--json"}).json()["go_on"];
+    EXPECT_EQ(go_on["layer"], ended.layer);
+    EXPECT_EQ(go_on["point"], ended.point);
+    EXPECT_EQ(go_on["command"], command);
+    const Outcome resumed = run({"start", "--resume", "--layers", "2"});
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.error;
+    EXPECT_NE(resumed.error.find("within layer " + std::to_string(ended.layer) + ", with its point " +
+                                 std::to_string(ended.point)),
+              std::string::npos)
+        << resumed.error;
+    EXPECT_EQ(status().layer, ended.layer);
+    EXPECT_EQ(status().point, ended.point);
+    ASSERT_EQ(run({"start-interpolation"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().points_done == (ended.layer + 2) * 361U; }));
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(run({"status", "--json"}).json()["checkpoint"]["next_layer"], ended.layer + 2) << "no gap";
+    EXPECT_EQ(run({"status", "--json"}).json()["go_on"], nullptr);
+}
+
+// The segment has it, whoever wrote it.
+TEST_F(ResumeCommand, GoesOnWithinALayerAfterTheCoreWasKilledAtAnyPoint) {
+    std::minstd_rand random{20261128};
+    start_core();
+    ASSERT_EQ(run({"publish", sliced_box("1500", "361")}).exit_code, 0);
+    int within = 0;
+    for (int death = 0; death < 3; ++death) {
+        ASSERT_TRUE(eventually([&] { return status().job_generation != 0; }));
+        ASSERT_EQ(run({"home"}).exit_code, 0);
+        const std::uint64_t before = status().points_done;
+        const Outcome started =
+            death == 0 ? run({"start", "--carve"}) : run({"start", "--resume", "--carve"});
+        ASSERT_EQ(started.exit_code, 0) << started.error;
+        const std::uint64_t enough = before + 361 + random() % 3000;
+        ASSERT_TRUE(eventually([&] { return status().points_done > enough; }));
+        core_->send(SIGKILL);
+        core_->wait();
+        const Outcome told = run({"status", "--json"});
+        EXPECT_EQ(told.exit_code, 5) << told.error;
+        const auto go_on = told.out.empty() ? nlohmann::json{} : told.json()["go_on"];
+        start_core({"--trace", file("rest.trace")});
+        ASSERT_TRUE(eventually([&] { return status().job_generation != 0; }));
+        if (go_on.is_null()) continue;
+        ++within;
+        EXPECT_NE(run({"status"}).out.find(go_on["command"].get<std::string>()), std::string::npos);
+    }
+    EXPECT_GT(within, 1);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"start", "--resume", "--layers", "2"}).exit_code, 0);
+    const CoreStatus begun = status();
+    ASSERT_EQ(run({"start-interpolation"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().points_done == (begun.layer + 2) * 361U; }));
+    ASSERT_TRUE(reaches(MachineState::ready));
+    EXPECT_EQ(run({"status", "--json"}).json()["checkpoint"]["next_layer"], begun.layer + 2);
+    core_->send(SIGTERM);
+    core_->wait();
+    std::vector<std::string> words{
+        "verify", file("rest.trace"), "--from-layer", std::to_string(begun.layer), "--layers", "2"};
+    if (begun.points_done % 361 > 1) words.insert(words.end(), {"--from-point", std::to_string(begun.point)});
+    const Outcome judged = psicarve(words);
+    EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.error;
 }
 
 TEST_F(ResumeCommand, ADryRunCarvesNothingAndLeavesNoCheckpoint) {

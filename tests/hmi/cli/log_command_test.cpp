@@ -65,7 +65,8 @@ protected:
         add(JournalKind::command, "jog",
             sender(JournalFacts{}.add("axis", "r1").add("value", "-5.5"), "refused")
                 .add("reason", "jog: not while carving; wait, or stop"));
-        add(JournalKind::job, "started", JournalFacts{}.add("source", "vase.stl").add("first_layer", 12));
+        add(JournalKind::job, "started",
+            JournalFacts{}.add("source", "vase.stl").add("first_layer", 12).add("first_point", 56));
         add(JournalKind::command, "estop", {});
         add(JournalKind::alarm, "steps lost",
             progress(JournalFacts{}
@@ -107,7 +108,7 @@ TEST_F(LogCommand, TellsEverythingInLocalTimeTheNewestLast) {
 2025-11-27 01:45:05 +0100  job      simulator  loaded vase\u001b[2J.stl, 400 layers of 361 points, job 7fd2
 2025-11-27 01:46:05 +0100  command  simulator  home: done (psicarve, pid 78, root)
 2025-11-27 01:47:05 +0100  command  simulator  jog r1 -5.5: refused, not while carving; wait, or stop (psicarve, pid 78, root)
-2025-11-27 01:48:05 +0100  job      simulator  started vase.stl with layer 12
+2025-11-27 01:48:05 +0100  job      simulator  started vase.stl with layer 12, point 56
 2025-11-27 01:49:05 +0100  command  simulator  estop
 2025-11-27 01:50:05 +0100  alarm    simulator  steps lost, psi at layer 13, point 9 (4702 of 144400 points); expected 6400 pulses, seen 6390; wrong may be 2 layers from 12; at r1 600 r2 -1 psi 6390 y 0 pulses
 2025-11-27 01:51:05 +0100  job      simulator  ended vase.stl: alarm at layer 13, point 9 (4702 of 144400 points)

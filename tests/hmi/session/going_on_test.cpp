@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hmi/session/start_place.hpp"
 #include "tests/hmi/session/sights.hpp"
 
 namespace psicarve::session {
@@ -98,9 +99,83 @@ TEST(GoingOnWords, TheButtonSaysForWhichLayerTheHeadsWait) {
     EXPECT_EQ(start_says(machine), "Start") << "at the first";
     machine.status->layer = 40;
     EXPECT_EQ(start_says(machine), "Continue from layer 41");
-    EXPECT_EQ(layer_to_begin_with(machine, desk_in(OpenJobState::published), false), 40U);
+    EXPECT_EQ(place_to_begin_with(machine, desk_in(OpenJobState::published), false), (StartPlace{40, {}}));
     machine.status->is_dry = 1;
     EXPECT_EQ(start_says(machine), "Start dry run");
+}
+
+/// The 57th point of the layer behind the 131 finished ones.
+MachineView stopped_within(S state) {
+    MachineView machine = stopped_in(state);
+    machine.resumable_point = 56;
+    return machine;
+}
+
+TEST(GoingOnWords, TheButtonSaysTheLastPointThatIsCarved) {
+    for (const S state : {S::off, S::ready, S::alarm})
+        EXPECT_EQ(start_says(stopped_within(state)), "Continue from layer 132, point 57") << name_of(state);
+    EXPECT_EQ(start_says(stopped_within(S::carving)), "Start");
+    EXPECT_EQ(start_says(stopped_within(S::ready), OpenJobState::model), "Start");
+    EXPECT_EQ(start_says(stopped_within(S::ready), OpenJobState::published, true), "Start dry run");
+    MachineView lost = stopped_within(S::carving);
+    lost.life = CoreLife::none;
+    EXPECT_EQ(start_says(lost), "Continue from layer 132, point 57");
+    MachineView in_first = machine_in(S::ready);
+    in_first.checkpoint_layer_count = 200;
+    in_first.resumable_point = 4;
+    EXPECT_EQ(start_says(in_first), "Continue from layer 1, point 5");
+    const auto piece = unfinished_piece(in_first, desk_in(OpenJobState::published));
+    ASSERT_TRUE(piece);
+    EXPECT_EQ(in_english(unfinished_title(*piece)),
+              "Unfinished: a part of the first of 200 layers is carved");
+    EXPECT_EQ(in_english(anew_question(*piece)),
+              "A part of layer 1 of 200 is carved and would be carved again.");
+}
+
+TEST(GoingOnWords, TheButtonSaysForWhichPointTheHeadsWait) {
+    MachineView machine = machine_in(S::waiting);
+    OpenJobView desk = desk_in(OpenJobState::published);
+    desk.core_layer_count = 200;
+    machine.status->points_total = 200 * 50;
+    machine.status->layer = 40;
+    machine.status->point = 12;
+    machine.status->points_done = 40 * 50 + 13;
+    EXPECT_EQ(place_to_begin_with(machine, desk, false), (StartPlace{40, 12}));
+    machine.status->points_done = 40 * 50 + 1;
+    machine.status->point = 49;
+    EXPECT_EQ(place_to_begin_with(machine, desk, false), (StartPlace{40, {}})) << "the layer's begin";
+}
+
+TEST(GoingOnWords, TheOrderLetsTheCoreLookAtThePlaceItself) {
+    const MachineView machine = stopped_within(S::ready);
+    const Command within = start_command(machine, {131, 56}, 0, false);
+    EXPECT_EQ(within.axis, kStartResumes | kStartResumesWithin);
+    EXPECT_EQ(within.value, 131.0);
+    EXPECT_EQ(start_point_number(within), 57U);
+    EXPECT_EQ(start_command(machine, {131, {}}, 0, false).axis, kStartResumes) << "the layer's begin";
+    EXPECT_EQ(start_command(machine, {131, 55}, 0, false).axis, 0U);
+    EXPECT_EQ(start_command(machine, {131, 56}, 1, false).axis, 0U);
+    EXPECT_EQ(start_command(machine, {131, 56}, 0, true).axis, kStartsDry);
+    EXPECT_EQ(in_english(start_name({131, 56})), "Start from layer 132, point 57");
+    EXPECT_EQ(in_english(start_name({131, {}})), "Start");
+}
+
+TEST(GoingOnWords, TheWayIsThatToThePointItself) {
+    cam::PreparedJob job = some_layers();
+    MachineView machine = machine_in(S::ready);
+    machine.status->points_done = 12;
+    machine.status->points_total = 20;
+    machine.status->layer = 2;
+    machine.status->point = 1;
+    const std::vector<std::string> said{
+        "Last good: layer 3, to its point 2.",
+        "Then: heads out, Ψ to 45.00°, Y to 3.00 mm, spindle on, heads in to R1 10.00, R2 20.00 mm."};
+    EXPECT_EQ(details({2, 0, 4, 1}, machine, &job), said) << "where it ended is not said twice";
+    machine.status->point = 2;
+    EXPECT_EQ(details({2, 0, 4, 1}, machine, &job)[1], "It ended in layer 3, point 3.");
+    EXPECT_TRUE(is_place_of(job, {2, 3}));
+    EXPECT_FALSE(is_place_of(job, {2, 4})) << "nothing of the layer is left behind it";
+    EXPECT_FALSE(is_place_of(job, {4, 1}));
 }
 
 TEST(GoingOnWords, APieceIsUnfinishedUntilItGoesOnOrAnotherJobIsOpen) {

@@ -86,6 +86,11 @@ TEST(JournalMessage, TellsOfCoresAndJobs) {
     };
     EXPECT_EQ(english_of("started", JournalFacts{}.add("source", "vase.stl").add("first_layer", 12)),
               "Carving began with layer 13: vase.stl");
+    const auto within =
+        JournalFacts{}.add("source", "vase.stl").add("first_layer", 12).add("first_point", 56);
+    EXPECT_EQ(english_of("started", within), "Carving began with layer 13, point 57: vase.stl");
+    EXPECT_EQ(english_of("started", JournalFacts{within}.add("dry", 1)),
+              "Dry run began with layer 13, point 57: vase.stl");
     EXPECT_EQ(
         english_of("ended", JournalFacts{}.add("source", "vase.stl").add("how", "stopped").add("layer", 4)),
         "Job stopped in layer 5: vase.stl");

@@ -125,7 +125,7 @@ TEST(ProgramView, OffersNoLayerToContinueFrom) {
     for (const MachineView& machine :
          {program_in(S::carving), program_in(S::held), lost_program(), lost_program_told_by_guard()}) {
         const OpenJobView job{OpenJobState::published, false, 28, 28};
-        EXPECT_FALSE(layer_to_begin_with(machine, job, false));
+        EXPECT_FALSE(place_to_begin_with(machine, job, false));
         EXPECT_EQ(in_english(start_text(machine, job, false)), "Start");
         EXPECT_FALSE(unfinished_piece(machine, job));
     }

@@ -159,15 +159,18 @@ TEST_F(GoingOn, ContinuesByItsButtonAndItsKeyAsTheySay) {
     ASSERT_TRUE(click("stop"));
     ASSERT_TRUE(comes_to(S::ready));
     const std::uint32_t next = *machine_view().resumable_layer;
-    const QString says = QString{"Continue from layer %1"}.arg(next + 1);
+    const auto point = machine_view().resumable_point;
+    const QString says = point ? QString{"Continue from layer %1, point %2"}.arg(next + 1).arg(*point + 1)
+                               : QString{"Continue from layer %1"}.arg(next + 1);
     ASSERT_TRUE(comes_true([&] { return button("start").text() == says; }))
         << button("start").text().toStdString();
     EXPECT_EQ(button("motion_start").text(), says);
     EXPECT_TRUE(part<QWidget>("unfinished").isVisible());
     EXPECT_EQ(label("unfinished_title"),
               QString{"Unfinished: %1 of %2 layers are carved"}.arg(next).arg(kLayers));
-    EXPECT_TRUE(
-        label("unfinished_details").startsWith(QString{"Last good: layer %1, to its point 201. "}.arg(next)))
+    const QString good = QString{"Last good: layer %1, to its point %2. "};
+    EXPECT_TRUE(label("unfinished_details")
+                    .startsWith(point ? good.arg(next + 1).arg(*point + 1) : good.arg(next).arg(201)))
         << label("unfinished_details").toStdString();
     EXPECT_TRUE(label("unfinished_details").contains("Then: heads out, Ψ to "))
         << label("unfinished_details").toStdString();

@@ -97,6 +97,7 @@ constexpr PressLine kLines[] = {
     {"differences_cancel", "ProfileFiles.AreSavedOnceTheirChangesWereLookedAt"},
     {"differences_close", "Tools.CompareTwoSnapshotsSideBySide"},
     {"drives_off", "ByHand.TestsTheWiringOfOneOutputWithTheDrivesOff"},
+    {"continue_layer", "GoingOnWithin.BesideItTheLayersBegin"},
     {"core_profile_take", "OtherProfile.IsTakenOverWithAClick"},
     {"dry_run", "DryRun.GoesThroughTheJobWithTheSpindleOffAndIsNotTakenForCarving"},
     {"emergency_stop", "Window.StopsOnPressOfTheBigButtonNotOnItsRelease"},

@@ -14,6 +14,7 @@
 
 #include "shared/record/saved_checkpoint.hpp"
 #include "shared/segment/checkpoint.hpp"
+#include "shared/segment/reached_point.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "tests/hmi/x11/x11_rig.hpp"
 #include "tests/thoroughness.hpp"
@@ -80,7 +81,9 @@ protected:
     void go_on_by_window() {
         const bool asks = checkpoint().is_from_disk();
         const std::uint32_t layer = checkpoint().next_layer;
-        const std::string words = "Continue from layer " + std::to_string(layer + 1);
+        std::string words = "Continue from layer " + std::to_string(layer + 1);
+        const auto point = point_to_resume(segment_->header().reached_point.load(), checkpoint());
+        if (point) words += ", point " + std::to_string(*point + 1);
         ASSERT_TRUE(click("tab 2"));
         ASSERT_TRUE(says("text start", words));
         ASSERT_TRUE(click("start"));

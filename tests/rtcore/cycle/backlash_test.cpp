@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "rtcore/cycle/layer_range.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/cycle/move_requests.hpp"
 
@@ -114,12 +115,10 @@ TEST(Backlash, AJogThatIsLetGoInTheGapLosesNothing) {
     }
 }
 
-/// Carves; the largest error of any tip at any point of the job.
-Positions worst_errors_at_points(MachineRig& rig, const JobTable& job) {
-    EXPECT_TRUE(rig.prepare(job));
+/// Carves from where the heads wait, point `next` of the job; the largest error of any tip at any point.
+Positions worst_errors_from(MachineRig& rig, const JobTable& job, std::size_t next) {
     const auto points = points_of(job);
     Positions worst{};
-    std::size_t next = 0;
     rig.ask(RequestKind::start_interpolation);
     rig.run_while([&] {
         const std::uint64_t reached = rig.cycle->sample().points_done;
@@ -134,6 +133,39 @@ Positions worst_errors_at_points(MachineRig& rig, const JobTable& job) {
     EXPECT_EQ(next, points.size());
     for (const Axis axis : kAllAxes) EXPECT_EQ(rig.machine->report().axis(axis).stalls, 0U) << name_of(axis);
     return worst;
+}
+
+/// Of the whole job.
+Positions worst_errors_at_points(MachineRig& rig, const JobTable& job) {
+    EXPECT_TRUE(rig.prepare(job));
+    return worst_errors_from(rig, job, 0);
+}
+
+// What the gaps take up on the way to the first point lies in the approach, whichever point that is.
+TEST(Backlash, ATableThatIsBegunWithinALayerIsExactFromItsFirstPointOn) {
+    constexpr std::uint32_t kPoints = 40;
+    std::mt19937_64 random{41};
+    for (const Planner planner : {Planner::angle, Planner::lookahead}) {
+        for (const Joining joining : {Joining::continuous, Joining::zigzag, Joining::spiral}) {
+            Profile profile = with_backlash();
+            profile.job.planner = planner;
+            MachineRig sut = rig_of(profile);
+            const JobTable job = random_job(3, kPoints, 5, joining);
+            ASSERT_TRUE(sut.home());
+            sut.load(job);
+            for (const std::uint32_t layer : {0U, 1U, 2U}) {
+                const auto step = static_cast<std::uint32_t>(1 + random() % (kPoints - 2));
+                const std::uint32_t number = carved_point(joining, kPoints, layer, step) + 1;
+                ASSERT_EQ(sut.ask(RequestKind::start, 0,
+                                  packed({.first = layer, .count = 0, .point_number = number})),
+                          Refusal::none);
+                ASSERT_TRUE(sut.run_until(MachineState::waiting));
+                EXPECT_EQ(errors(sut), Positions{}) << "layer " << layer << ", step " << step;
+                EXPECT_EQ(worst_errors_from(sut, job, std::size_t{layer} * kPoints + step), Positions{});
+                ASSERT_TRUE(sut.run_until(MachineState::ready));
+            }
+        }
+    }
 }
 
 TEST(Backlash, ACarvedTableIsExactWithItsCompensation) {

@@ -151,6 +151,32 @@ TEST_P(FromPoint, TurnsTheTableFromThereInADryRunToo) {
     EXPECT_EQ(sut.positions()[3], points.back()[3]);
 }
 
+// Whoever reads the count after the core's sudden death goes on with that point: it must have been carved.
+TEST_P(FromPoint, CountsAPointOnceBothHeadsHaveComeToItByThePins) {
+    std::mt19937_64 random(37);
+    ASSERT_EQ(sut.ask(RequestKind::start), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::waiting));
+    sut.port->writes.clear();
+    ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
+    PinCounter pins(points[0]);
+    std::size_t passed = 0;
+    std::size_t read = 0;
+    const auto pass_points = [&] {
+        while (passed < points.size() && points[passed] == pins.positions()) ++passed;
+    };
+    pass_points();
+    while (sut.cycle->state() == MachineState::carving || sut.cycle->sample().points_done < points.size()) {
+        sut.run(1 + random() % 40);
+        for (; read < sut.port->writes.size(); ++read) {
+            pins.take(sut.port->writes[read].levels);
+            pass_points();
+        }
+        ASSERT_LE(sut.cycle->sample().points_done, passed) << "counted before its last pulse was out";
+        if (passed == points.size() && sut.cycle->state() != MachineState::carving) break;
+    }
+    EXPECT_EQ(passed, points.size());
+}
+
 enum class Ended { stop, emergency_stop, limit };
 
 /// Carves from there until it is ended at a random tick; homed again. The point with which to go on: the last

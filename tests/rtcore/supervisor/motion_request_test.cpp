@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/cycle/pin_trial.hpp"
 #include "shared/machine/jog_lease.hpp"
 
@@ -34,6 +35,20 @@ Command move(std::uint32_t axes, double target) {
 std::string refusal(const Command& command, RequestKind kind) {
     const auto request = motion_request(command, kind, Profile{}, false);
     return request ? std::string{} : request.error().message;
+}
+
+TEST(MotionRequest, LeavesAPointThatNoLayerHasToTheTick) {
+    Command start{};
+    start.kind = CommandKind::start;
+    start.value = 3;
+    for (const std::uint32_t point : {999'999U, 1'000'000U, 1'048'576U, 0xFFFF'FFFEU}) {
+        start.value2 = 0;
+        set_start_point(start, point);
+        const auto sut = motion_request(start, RequestKind::start, Profile{}, false);
+        ASSERT_TRUE(sut) << point;
+        EXPECT_GE(cycle::layer_range(sut->value).point_number, 1'000'000U) << "no_such_point, with the count";
+        EXPECT_EQ(cycle::layer_range(sut->value).first, 3U);
+    }
 }
 
 TEST(MotionRequest, PutsJogsIntoPulsesAndTicks) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "shared/segment/reached_point.hpp"
 #include "shared/segment/shared_record.hpp"
 #include "shared/wording/wording.hpp"
 #include "tests/rtcore/supervisor/kept_job.hpp"
@@ -277,6 +278,78 @@ TEST_F(PieceMemoryTest, GoesOnWithinALayerOnlyWhereItSawItCarvedSoFar) {
     EXPECT_EQ(carve(1, 2, 2 * points), 1U) << "its third point was never reached";
     EXPECT_EQ(carve(1, 1, 2 * points), 2U) << "its second was";
     EXPECT_EQ(carve(2, 1, 3 * points), 2U) << "of the layer after nothing is carved";
+}
+
+TEST_F(PieceMemoryTest, ThePointWithinALayerOutlivesTheCoreInTheSegmentAlone) {
+    const auto point = [&] { return point_to_resume(header_->reached_point.load(), in_segment()); };
+    const std::uint64_t points = vase_->view.point_count();
+    std::uint64_t tick = 0;
+    const auto carve = [&](PieceMemory& sut, std::uint64_t layer, std::uint64_t step, std::uint64_t done,
+                           AlarmCause cause = AlarmCause::none) {
+        cycle::Sample sample = carving_from(layer, MachineState::carving);
+        sample.first_step = step;
+        sample.job_start_tick = tick += 100;
+        sample.carve_first_tick = tick + 1;
+        sample.points_done = done;
+        sample.alarm_cause = cause;
+        sut.note(*header_, sample, vase_);
+    };
+    {
+        PieceMemory sut{place()};
+        sut.enter(*header_);
+        sut.take_job(*header_, vase_);
+        carve(sut, 0, 0, 1);
+        EXPECT_FALSE(point()) << "with the first point it is the layer's begin";
+        carve(sut, 0, 0, 2);
+        EXPECT_EQ(point(), 1U) << "in the first layer, too";
+        carve(sut, 0, 0, points);
+        EXPECT_FALSE(point()) << "nothing is left of the layer";
+        carve(sut, 0, 0, points + 2);
+        EXPECT_EQ(point(), 1U);
+        carve(sut, 1, 0, points + 1);
+        EXPECT_EQ(point(), 1U) << "the layer done again";
+        carve(sut, 2, 1, 2 * points + 2);
+        EXPECT_EQ(point(), 1U) << "a run that leaves a gap";
+    }
+    {
+        PieceMemory sut{place()};
+        sut.enter(*header_);
+        sut.take_job(*header_, vase_);
+        EXPECT_EQ(point(), 1U) << "another core";
+        carve(sut, 1, 1, 2 * points);
+        EXPECT_EQ(in_segment().next_layer, 2U) << "it goes on there";
+        carve(sut, 2, 0, 2 * points + 2, AlarmCause::steps_lost);
+        EXPECT_FALSE(point()) << "none of its points is known to be right";
+        carve(sut, 2, 0, 2 * points + 2);
+        EXPECT_EQ(point(), 1U);
+    }
+    PieceMemory sut{place()};
+    sut.take_job(*header_, vase_);
+    EXPECT_EQ(point(), 1U);
+    sut.forget(*header_,
+               {"/shop", false, vase_->checksum, load_saved_checkpoint(names().checkpoint())->sequence});
+    EXPECT_FALSE(point());
+    EXPECT_EQ(header_->reached_point.load(), 0U);
+}
+
+TEST_F(PieceMemoryTest, APointIsOfTheRecordThatItWasWrittenBeside) {
+    const Checkpoint known = after(1);
+    const std::uint64_t word = reached_word(vase_->checksum, 1, 2);
+    EXPECT_EQ(point_to_resume(word, known), 2U);
+    EXPECT_FALSE(point_to_resume(0, known));
+    EXPECT_FALSE(point_to_resume(word, after(2)));
+    EXPECT_FALSE(point_to_resume(word, after(1, kCheckpointFromDisk)));
+    EXPECT_FALSE(point_to_resume(reached_word(~vase_->checksum, 1, 2), known));
+    Checkpoint damaged = known;
+    damaged.check ^= 1;
+    EXPECT_FALSE(point_to_resume(word, damaged));
+    const Checkpoint large = checkpoint_at(~std::uint64_t{0}, 999'998, 1'000'000);
+    EXPECT_EQ(point_to_resume(reached_word(~std::uint64_t{0}, 999'998, 999'999), large), 999'999U);
+    // A record of the other kind of machine takes its point along; so does a disk's lower word.
+    leave_in_segment(after(1, kCheckpointSimulated));
+    header_->reached_point.store(word);
+    remark_of_new_core();
+    EXPECT_EQ(header_->reached_point.load(), 0U);
 }
 
 TEST_F(PieceMemoryTest, SaysThatThePieceWasBegunWithAnotherProfile) {

@@ -47,6 +47,7 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
     const bool begins = ran && may_begin(positions) && begin_attempt(time_ns, positions);
     follower_.findings().set_outward(is_outward(positions));
     if (!begins) follow(time_ns, positions, ran);
+    count_left_out(positions);
     end_behind_judged_layers();
     last_ = positions;
     if (spindle_on_ && !spindle_on) {
@@ -157,8 +158,17 @@ void PathRule::start(CarvePoint begin, std::int64_t time_ns, std::int64_t psi_pu
         leave_out(time_ns, points_left_out(begin, carved));
 }
 
-void PathRule::leave_out(std::int64_t time_ns, const Offence& offence) {
-    if (log_.count(1, time_ns)) follower_.report(time_ns, offence);
+void PathRule::leave_out(std::int64_t time_ns, Offence offence) {
+    offence.time_ns = time_ns;
+    attempt_.left_out = LeftOut{std::move(offence), follower_.place()};
+}
+
+/// Heads that only go in leave nothing out.
+void PathRule::count_left_out(const Positions& positions) {
+    if (!attempt_.left_out || follower_.phase() == Phase::approach) return;
+    if (has_only_gone_in() && in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi]) return;
+    const auto left_out = std::exchange(attempt_.left_out, std::nullopt);
+    if (log_.count(1, left_out->offence.time_ns)) log_.describe(left_out->offence, left_out->place);
 }
 
 void PathRule::follow_approach(std::int64_t time_ns, const Positions& positions, bool spindle_on) {

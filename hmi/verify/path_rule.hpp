@@ -54,13 +54,19 @@ public:
 private:
     using Phase = JobFollower::Phase;
 
+    /// A breach that counts once the attempt carves.
+    struct LeftOut {
+        Offence offence;
+        CarvePlace place;
+    };
     /// The attempt that is on its way, or the last one.
     struct Attempt {
         CarvePoint begin;
-        bool goes_on = false;         ///< with what others have carved
-        bool is_guess = false;        ///< the path only passed near the first point
-        bool was_elsewhere = false;   ///< layers that are not judged were being carved
-        std::int64_t psi_offset = 0;  ///< whole turns between the trace's count and the job's angle
+        bool goes_on = false;               ///< with what others have carved
+        bool is_guess = false;              ///< the path only passed near the first point
+        bool was_elsewhere = false;         ///< layers that are not judged were being carved
+        std::int64_t psi_offset = 0;        ///< whole turns between the trace's count and the job's angle
+        std::optional<LeftOut> left_out{};  ///< layers or points before its begin
     };
     /// How the last attempt ended.
     struct End {
@@ -86,7 +92,8 @@ private:
     bool is_judged(CarvePoint begin) const noexcept;
     bool begin_attempt(std::int64_t time_ns, const Positions& positions);
     void start(CarvePoint begin, std::int64_t time_ns, std::int64_t psi_pulses);
-    void leave_out(std::int64_t time_ns, const Offence& offence);
+    void leave_out(std::int64_t time_ns, Offence offence);
+    void count_left_out(const Positions& positions);
     void restore_before();
     void follow(std::int64_t time_ns, const Positions& positions, bool spindle_on);
     void follow_approach(std::int64_t time_ns, const Positions& positions, bool spindle_on);

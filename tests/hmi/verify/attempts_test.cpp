@@ -228,6 +228,26 @@ TEST_P(Attempts, ThatOnlyGoInTakeNothingBack) {
     EXPECT_EQ(report.points_visited, report.points_total);
 }
 
+TEST_P(Attempts, ThatOnlyGoInLeaveNothingOut) {
+    const SampleJob job = wavy_job(GetParam());
+    for (const bool carves : {false, true}) {
+        PerfectMachine machine(job);
+        carve_into(machine, job, 2);
+        for (const Axis head : {Axis::r1, Axis::r2})
+            machine.move(head, job.view().max_radius_pulses(head) - machine.position[index_of(head)]);
+        machine.approach(2, kStopped + 5);
+        if (carves) machine.to_point(2, kStopped + 6);
+        machine.finish();
+        carve_from(machine, job, 2, kStopped);
+        const VerifyReport report = verified(job, machine);
+        EXPECT_EQ(report.ok, !carves) << report_text(report);
+        if (carves) {
+            EXPECT_EQ(first_of(report, 1).fault, "points-left-out");
+            EXPECT_EQ(first_of(report, 1).point, carved_point(GetParam(), kPointsALayer, 2, kStopped + 5));
+        }
+    }
+}
+
 TEST_P(Attempts, WithinALayerAreJudgedAllAlong) {
     const SampleJob job = wavy_job(GetParam());
     PerfectMachine machine(job);

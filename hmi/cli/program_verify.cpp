@@ -49,15 +49,15 @@ Result<JudgedOffsets> offsets_of_trace(const CommonOptions& common, const Profil
 
 /// Other limits judge any trace, but the way of its tips is that of its own machine: screws with play have
 /// pulses that move none.
-Result<void> check_profile(const std::string& trace_path, const JudgedOffsets& offsets,
+void tell_of_other_profile(const std::string& trace_path, const JudgedOffsets& offsets,
                            const Profile& profile, const verify::ProgramVerifyReport& report) {
     const auto& made_with = offsets.made_with;
     const bool is_its_own = !made_with || made_with->hash == profile_hash(profile);
-    if (is_its_own || report.rules[0].offences == 0) return {};
-    return bad_input(
-        trace_path + ": another profile than the trace was made with, which was \"" + made_with->name +
-        "\" (" + hash_text(made_with->hash) + "); it is not on its program's way by \"" + profile.name +
-        "\" (" + hash_text(profile_hash(profile)) + "): name the one that it was made with: --profile FILE");
+    if (is_its_own || report.rules[0].offences == 0) return;
+    print_warning(trace_path + ": another profile than the trace was made with, which was \"" +
+                  made_with->name + "\" (" + hash_text(made_with->hash) +
+                  "); it is not on its program's way by \"" + profile.name + "\" (" +
+                  hash_text(profile_hash(profile)) + "): name the one that it was made with: --profile FILE");
 }
 
 }  // namespace
@@ -99,8 +99,7 @@ Result<int> verify_program(const CommonOptions& common, const std::string& trace
         if (failure.message.starts_with("line ")) failure.message = options.program + ": " + failure.message;
         return failure;
     }
-    const auto is_judged = check_profile(trace_path, *offsets, *profile, *report);
-    if (!is_judged) return is_judged.error();
+    tell_of_other_profile(trace_path, *offsets, *profile, *report);
     const std::string text = common.json ? verify::program_report_json(*report).dump(2) + "\n"
                                          : verify::program_report_text(*report);
     std::printf("%s", text.c_str());

@@ -56,6 +56,7 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     if (is_trace) file = machine::open_memory_file("job", snapshot_bytes(*snapshot));
     if (!file) return file.error();
     const std::vector<FlightRecord> records = snapshot->records;
+    const std::uint64_t points_done = snapshot->status ? snapshot->status->points_done : 0;
     const auto job = job_of_snapshot(std::move(snapshot).value(), options.path, common);
     if (!job) return job.error();
     for (const std::string& warning : job->warnings) print_warning(warning);
@@ -73,9 +74,9 @@ Result<int> replay(const CommonOptions& common, const ReplayOptions& options) {
     const auto run_it = [](machine::VerifiedCore& core, const machine::StatusWatch& watch) {
         return machine::follow_replay(core.link(), core.core(), watch);
     };
-    return simulated_run(
-        std::move(launch), *job,
-        {run_it, options.picture, common.json, nullptr, verify::asked_carving(job->view, records)});
+    return simulated_run(std::move(launch), *job,
+                         {run_it, options.picture, common.json, nullptr,
+                          verify::asked_carving(job->view, records, points_done)});
 }
 
 }  // namespace

@@ -90,11 +90,12 @@ Result<JobToJudge> job_of_trace(const CommonOptions& common, const VerifyOptions
     auto snapshot = load_job_of(options);
     if (!snapshot) return snapshot.error();
     const std::vector<FlightRecord> records = std::move(snapshot->records);
+    const std::uint64_t points_done = snapshot->status ? snapshot->status->points_done : 0;
     auto job = job_of_snapshot(std::move(snapshot).value(), options.job, common, ProfileUse::judge);
     if (!job) return job.error();
     JobToJudge found{std::move(*job), {options.layers}};
     if (has_layers(options)) return found;
-    if (const auto asked = verify::asked_carving(found.job.view, records)) found.asked = *asked;
+    if (const auto asked = verify::asked_carving(found.job.view, records, points_done)) found.asked = *asked;
     return found;
 }
 

@@ -91,15 +91,18 @@ void go_on_with(std::optional<Asked>& so_far, const Asked& next) {
         so_far = next;
         return;
     }
-    so_far->end_layer = next.end_layer;
-    so_far->layers.count = next.end_layer - so_far->layers.first;
-    so_far->is_cut = next.is_cut;
+    // One that ends before the other does carves less of it anew, but what the other did counts.
+    so_far->is_cut = next.is_cut || next.end_layer < so_far->end_layer;
+    so_far->end_layer = std::max(so_far->end_layer, next.end_layer);
+    so_far->layers.count = so_far->end_layer - so_far->layers.first;
 }
 
 }  // namespace
 
-std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const FlightRecord> records) {
+std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const FlightRecord> records,
+                                          std::uint64_t points_done) {
     std::optional<Asked> asked;
+    bool is_last_dry = false;
     const auto is_start = [](const FlightRecord& record) {
         return is_done_command(record, CommandKind::start);
     };
@@ -113,10 +116,17 @@ std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const Fl
         auto own = carving != next ? asked_by(*start, job) : std::nullopt;
         if (own) own->is_cut = is_cut_short(carving, next);
         if (own) go_on_with(asked, *own);
+        if (own) is_last_dry = own->is_dry;
         start = next;
     }
     if (!asked) return std::nullopt;
-    return AskedCarving{asked->layers, asked->is_cut, !asked->is_dry};
+    const std::uint64_t before = std::uint64_t{asked->begin.layer} * job.point_count() + asked->begin.step;
+    const bool is_known = asked->is_cut && !is_last_dry && points_done > before;
+    return AskedCarving{.layers = asked->layers,
+                        .may_end_early = asked->is_cut,
+                        .carves = !asked->is_dry,
+                        .ends_there = true,
+                        .least_points = is_known ? points_done - before : 0};
 }
 
 }  // namespace psicarve::verify

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -15,12 +16,18 @@ struct AskedCarving {
     LayerRange layers{};
     bool may_end_early = false;  ///< it was stopped, or the recording ends: as far as it came it is judged
     bool carves = true;          ///< false: dry runs alone
+    /// No spindle is on behind the last layer: what comes there is judged by the whole surface.
+    bool ends_there = false;
+    /// So many of the points are to have been carved although it may end early.
+    std::uint64_t least_points = 0;
 };
 
 /// What the starts in a flight recorder, oldest record first, asked for of its newest job, from where a
 /// replay of it begins: the last one that was carved, and those before it as long as each goes on within what
 /// the one before asked for, or where that ends. A start that was never told to carve is none; dry runs count
-/// where there are no others. Nothing: there is none.
-std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const FlightRecord> records);
+/// where there are no others. `points_done`: of the whole job, as the status beside the records has it; 0:
+/// not known. Nothing: there is none.
+std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const FlightRecord> records,
+                                          std::uint64_t points_done = 0);
 
 }  // namespace psicarve::verify

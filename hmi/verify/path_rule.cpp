@@ -195,7 +195,8 @@ void PathRule::leave_first_point(std::int64_t time_ns, const Positions& position
 
 /// The layers that follow are not judged.
 void PathRule::end_behind_judged_layers() {
-    if (follower_.phase() != Phase::done || geometry_.end_layer() == geometry_.layer_count()) return;
+    const bool has_more = !ends_there_ && geometry_.end_layer() < geometry_.layer_count();
+    if (follower_.phase() != Phase::done || !has_more) return;
     is_elsewhere_ = true;
     end_attempt(follower_.times().arrived_ns());
 }

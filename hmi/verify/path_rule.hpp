@@ -35,6 +35,10 @@ public:
     /// All three outlive it.
     PathRule(const JobGeometry& geometry, CarvedSurface& surface, OffenceLog& log);
 
+    /// The layers to be judged are all that the trace was to carve: what comes behind them is judged as
+    /// behind a whole job.
+    void end_with_last_layer() noexcept { ends_there_ = true; }
+
     void begin(const Positions& positions, bool spindle_on);
     /// After each instant in which an axis stepped or the spindle was switched.
     void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on);
@@ -114,7 +118,8 @@ private:
     RuleResult before_guess_;
     Positions last_{};
     bool spindle_on_ = false;
-    bool has_turned_ = false;    ///< psi, with the spindle on, outside an attempt
+    bool has_turned_ = false;  ///< psi, with the spindle on, outside an attempt
+    bool ends_there_ = false;
     bool is_elsewhere_ = false;  ///< carves layers that are not judged, until the spindle stops
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/verify/verifier.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "hmi/verify/judged_trace.hpp"
@@ -20,10 +21,13 @@ struct Verifier::State : PositionJudge {
           surface(geometry),
           path(geometry, surface, log),
           to_path(path, profile),
-          pins(profile, log, path.place(), *this) {}
+          pins(profile, log, path.place(), *this) {
+        if (asked.ends_there) path.end_with_last_layer();
+    }
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override {
+        last = positions;
         to_path.redefine(time_ns, positions);
     }
 
@@ -34,6 +38,8 @@ struct Verifier::State : PositionJudge {
 
     JobGeometry geometry;
     AskedCarving asked;
+    Positions last{};
+    std::optional<std::int64_t> spun_ns;  ///< the first motion with the spindle on
     OffenceLog log;
     CarvedSurface surface;
     PathRule path;
@@ -44,6 +50,8 @@ struct Verifier::State : PositionJudge {
 
 void Verifier::State::settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) {
     const bool spindle_on = (levels & bit_of(Signal::spindle)) != 0;
+    if (spindle_on && !spun_ns && positions != last) spun_ns = time_ns;
+    last = positions;
     const std::uint64_t visited = path.points_visited();
     to_path.settle(time_ns, positions, spindle_on);
     if (follower) follower(positions, spindle_on);
@@ -75,6 +83,7 @@ void Verifier::set_follower(Follower follower) {
 
 void Verifier::begin(const TraceStart& start) {
     state_->pins.begin(start);
+    state_->last = start.position_pulses;
     state_->to_path.begin(start.position_pulses, state_->pins.spindle_on());
 }
 
@@ -84,21 +93,46 @@ void Verifier::feed(std::span<const TraceEvent> events) {
 
 namespace {
 
+/// The trace ends where the rule would go on.
+bool is_end(const RuleResult& path) {
+    return path.first && (path.first->fault == "ends-early" || path.first->fault == "no-carving");
+}
+
+void excuse_end(RuleResult& path) {
+    if (--path.offences == 0) path.first.reset();
+}
+
+void add_offence(RuleResult& path, Offence offence) {
+    ++path.offences;
+    if (!path.first || offence.time_ns < path.first->time_ns) path.first = std::move(offence);
+}
+
+Offence dry_run_with_spindle(std::int64_t time_ns) {
+    Offence offence;
+    offence.rule = 1;
+    offence.fault = "dry-run-carves";
+    offence.time_ns = time_ns;
+    offence.measured = 1.0;
+    offence.unit = "spindle";
+    offence.sentence = "rule 1: axes move with the spindle on, though it was a dry run";
+    return offence;
+}
+
 /// What was asked for may have been less than to carve it to the end.
-void judge_as_asked(VerifyReport& report, const AskedCarving& asked) {
+void judge_as_asked(VerifyReport& report, const AskedCarving& asked,
+                    const std::optional<std::int64_t>& spun_ns) {
     RuleResult& path = report.rules[0];
     report.is_dry = !asked.carves;
     if (report.is_dry) {
-        path = {};
+        if (is_end(path)) excuse_end(path);
+        if (spun_ns) add_offence(path, dry_run_with_spindle(*spun_ns));
+        path.judged = path.offences != 0;
         report.points_total = report.points_visited;
         return;
     }
-    const auto is_end = [](const Offence& first) {
-        return first.fault == "ends-early" || first.fault == "no-carving";
-    };
-    report.is_cut = asked.may_end_early && report.points_visited != report.points_total;
-    if (!report.is_cut || !path.first || !is_end(*path.first)) return;
-    if (--path.offences == 0) path.first.reset();
+    const bool is_as_far = report.points_visited > 0 && report.points_visited >= asked.least_points;
+    report.is_cut = asked.may_end_early && is_as_far && report.points_visited != report.points_total;
+    if (report.is_cut && is_end(path)) excuse_end(path);
 }
 
 }  // namespace
@@ -126,7 +160,7 @@ VerifyReport Verifier::finish() {
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();
     report.first_point = s.asked.layers.first_point;
-    judge_as_asked(report, s.asked);
+    judge_as_asked(report, s.asked, s.spun_ns);
     report.ok =
         report.first_offence() == nullptr && (report.is_cut || report.points_visited == report.points_total);
     return report;

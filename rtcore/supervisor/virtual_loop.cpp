@@ -78,8 +78,9 @@ private:
     }
     void tick() {
         if (record_ != nullptr) record_->before_tick(parts_->cycle->next_tick(), *parts_);
-        // How much of a plan is queued when it is dropped follows from the moment at which somebody stops it.
-        parts_->cycle->drop_overtaken_blocks();
+        // How much of a plan is queued when it is dropped follows from the moment at which somebody stops it:
+        // the next one finds an empty queue. Not earlier, or the planner would go on filling it.
+        if (parts_->io->plan_requests.size() > 0) parts_->cycle->drop_overtaken_blocks();
         if (parts_->planner->wants_poll()) plan();
         parts_->cycle->tick();
         if (!is_at_rest(parts_->cycle->state())) {

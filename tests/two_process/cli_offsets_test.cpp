@@ -313,7 +313,8 @@ TEST_F(KeptOffsetsOf, ATraceNameTheProfileThatItWasMadeWith) {
         0);
     EXPECT_EQ(run({"verify", trace, "--program", path, "--profile", file("worn.toml")}).exit_code, 0);
     const Outcome other = run({"verify", trace, "--program", path});
-    EXPECT_EQ(other.exit_code, 3) << other.out;
+    EXPECT_EQ(other.exit_code, 6) << other.out;
+    EXPECT_NE(other.out.find("  rule 1: "), std::string::npos) << other.out;
     EXPECT_NE(other.error.find("another profile than the trace was made with, which was \"worn\""),
               std::string::npos)
         << other.error;

@@ -94,8 +94,9 @@ TEST_F(ReplayRange, OfOneThatWasStoppedIsJudgedAsFarAsItWasRecorded) {
     carve({"--from-layer", std::to_string(at.layer), "--from-point", std::to_string(at.point), "--layers",
            "2"});
     const Outcome both = replayed();
-    expect_judged(both, 2, at.layer, (at.layer) * kLongPoints);
-    EXPECT_FALSE(both.json()["verification"].contains("cut_short"));
+    // The first start asked for the job to its end.
+    expect_judged(both, 2, kLongLayers - 2, at.layer * kLongPoints);
+    EXPECT_EQ(both.json()["verification"]["cut_short"], true);
 }
 
 TEST_F(ReplayRange, OfADryRunIsJudgedByItsPulsesAlone) {

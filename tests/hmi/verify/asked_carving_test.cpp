@@ -103,6 +103,29 @@ TEST_F(AskedCarvingOf, StartsThatGoOnCountTogether) {
     EXPECT_EQ(anew->layers.count, 1U);
 }
 
+TEST_F(AskedCarvingOf, ALayerDoneAgainTakesNothingOutOfWhatWasAskedForBefore) {
+    for (const bool was_cut : {false, true}) {
+        std::vector<FlightRecord> records{ready(), start(0), carve()};
+        if (was_cut) records.push_back(record_of(RecordKind::stop));
+        for (const FlightRecord& next : {ready(), start(1, 1), carve(), ready()}) records.push_back(next);
+        const auto both = asked(records);
+        ASSERT_TRUE(both);
+        EXPECT_EQ(both->layers.first, 0U);
+        EXPECT_EQ(both->layers.count, 4U);
+        EXPECT_TRUE(both->may_end_early) << "the last one ended before the first would have";
+    }
+}
+
+TEST_F(AskedCarvingOf, OneThatWasStoppedHasCarvedWhatItsStatusSays) {
+    const std::vector<FlightRecord> cut{ready(), start(1, 0, 8), carve(), record_of(RecordKind::stop),
+                                        ready()};
+    EXPECT_EQ(asked_carving(job_.view(), cut, 21 + 7 + 5)->least_points, 5U);
+    EXPECT_EQ(asked_carving(job_.view(), cut)->least_points, 0U) << "not known";
+    const std::vector<FlightRecord> whole{ready(), start(1), carve(), ready()};
+    EXPECT_EQ(asked_carving(job_.view(), whole, 84)->least_points, 0U);
+    EXPECT_TRUE(asked_carving(job_.view(), whole, 84)->ends_there);
+}
+
 TEST_F(AskedCarvingOf, DryRunsCountAlone) {
     const auto dry = command(CommandKind::start, kRecordedDryRun | 1U);
     const auto alone = asked({ready(), dry, carve(), ready()});
@@ -134,6 +157,58 @@ TEST(JudgedAsAsked, AsFarAsItWent) {
         EXPECT_TRUE(report.is_cut);
         EXPECT_FALSE(verified(job, machine).ok);
     }
+}
+
+VerifyReport judged_as(const SampleJob& job, const PerfectMachine& machine, const AskedCarving& asked) {
+    auto sut = Verifier::make_for(job.view(), job.profile, asked);
+    EXPECT_TRUE(sut);
+    sut->begin(machine.start);
+    sut->feed(machine.events);
+    return sut->finish();
+}
+
+// A trace of something else is none that was cut short.
+TEST(JudgedAsAsked, NotLessThanTheMachineIsKnownToHaveCarved) {
+    const SampleJob job = wavy_job();
+    PerfectMachine carved{job};
+    carved.approach().layer(0).finish();
+    EXPECT_TRUE(judged_as(job, carved, {.may_end_early = true}).ok);
+    EXPECT_TRUE(judged_as(job, carved, {.may_end_early = true, .least_points = 21}).ok);
+    const VerifyReport less = judged_as(job, carved, {.may_end_early = true, .least_points = 22});
+    EXPECT_FALSE(less.ok);
+    EXPECT_EQ(first_of(less, 1).fault, "ends-early");
+    PerfectMachine nothing{job};
+    nothing.move(Axis::r1, 500);
+    const VerifyReport none = judged_as(job, nothing, {.may_end_early = true});
+    EXPECT_FALSE(none.ok);
+    EXPECT_EQ(first_of(none, 1).fault, "no-carving");
+}
+
+TEST(JudgedAsAsked, ADryRunMovesNothingWithTheSpindleOn) {
+    const SampleJob job = wavy_job();
+    PerfectMachine dry{job};
+    for (const Axis axis : kAllAxes) dry.set(enable_of(axis), true);
+    dry.move(Axis::r1, 24000).move(Axis::r2, 24000).move(Axis::psi, 400);
+    const VerifyReport right = judged_as(job, dry, {.carves = false});
+    EXPECT_TRUE(right.ok) << report_text(right);
+    EXPECT_FALSE(right.rules[0].judged);
+    PerfectMachine carving{job};
+    carving.approach().layer(0).finish();
+    const VerifyReport wrong = judged_as(job, carving, {.carves = false});
+    EXPECT_FALSE(wrong.ok);
+    EXPECT_EQ(first_of(wrong, 1).fault, "dry-run-carves");
+}
+
+// The recorded starts asked for no more: what comes behind is judged as behind a whole job.
+TEST(JudgedAsAsked, BehindTheLastLayerNoHeadGoesIn) {
+    const SampleJob job = wavy_job();
+    PerfectMachine machine{job};
+    machine.approach().layer(0);
+    machine.move(Axis::r1, -150).move(Axis::r1, 150).finish();
+    EXPECT_TRUE(judged_as(job, machine, {.layers = {0, 1}}).ok) << "other layers may follow";
+    const VerifyReport report = judged_as(job, machine, {.layers = {0, 1}, .ends_there = true});
+    EXPECT_FALSE(report.ok);
+    EXPECT_EQ(first_of(report, 1).fault, "too-deep");
 }
 
 }  // namespace

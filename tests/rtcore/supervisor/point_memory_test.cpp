@@ -152,5 +152,15 @@ TEST_F(PieceMemoryWithin, ALaterLayerBegunBeyondAGapLeavesThePointBeforeIt) {
     EXPECT_EQ(point(), 2U) << "and it goes on there";
 }
 
+TEST_F(PieceMemoryWithin, AWordWithAnyOneBitChangedIsNoPlace) {
+    carve(start(0), points_ + 3);
+    ASSERT_EQ(point(), 2U);
+    const std::uint64_t word = header_->reached_point.load();
+    for (unsigned bit = 0; bit < 64; ++bit) {
+        header_->reached_point.store(word ^ std::uint64_t{1} << bit);
+        EXPECT_FALSE(point()) << bit;
+    }
+}
+
 }  // namespace
 }  // namespace psicarve::supervisor

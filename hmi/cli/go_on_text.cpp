@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "shared/machine/machine_state.hpp"
 #include "shared/segment/segment.hpp"
 
 namespace psicarve::cli {
@@ -16,15 +17,33 @@ std::optional<GoOnPlace> place_to_go_on(const machine::MachineLink& link) {
     return GoOnPlace{checkpoint->next_layer, *point, link.segment_name()};
 }
 
+std::optional<GoOnPlace> place_to_go_on(const machine::MachineLink& link, const CoreStatus& status) {
+    const bool takes_start = !runs_job(status.state) && status.job_generation != 0 &&
+                             status.job_generation == published_generation(link.segment());
+    return takes_start ? place_to_go_on(link) : std::nullopt;
+}
+
+std::optional<GoOnPlace> place_to_go_on(const machine::MachineLink& link,
+                                        const std::optional<FoundCheckpoint>& on_disk) {
+    const auto checkpoint = link.checkpoint();
+    // Of another job, or of the other kind of machine, it says nothing of this piece.
+    const bool is_of_piece = checkpoint && on_disk &&
+                             on_disk->saved.checkpoint.job_checksum == checkpoint->job_checksum &&
+                             on_disk->saved.is_simulator == checkpoint->is_simulated();
+    if (is_of_piece && !is_same_place(on_disk->saved.checkpoint, *checkpoint)) return std::nullopt;
+    return place_to_go_on(link);
+}
+
 std::string go_on_command(const GoOnPlace& place) {
     const std::string segment =
         place.segment == kDefaultSegmentName ? std::string{} : " --segment " + as_shell_word(place.segment);
-    return "psicarve start --from-layer " + std::to_string(place.layer) + " --from-point " +
-           std::to_string(place.point) + segment;
+    return "psicarve start --resume" + segment;
 }
 
 std::string go_on_text(const std::optional<GoOnPlace>& place) {
-    return place ? "go on      " + go_on_command(*place) + "\n" : std::string{};
+    if (!place) return {};
+    return "go on      " + go_on_command(*place) + " (within layer " + std::to_string(place->layer) +
+           ", with its point " + std::to_string(place->point) + ")\n";
 }
 
 nlohmann::ordered_json go_on_json(const std::optional<GoOnPlace>& place) {

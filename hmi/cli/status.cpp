@@ -145,6 +145,11 @@ void put_into(nlohmann::ordered_json& object, const Unfinished& unfinished) {
     if (unfinished.is_silent) object["is_disk_silent"] = true;
 }
 
+/// A disk that does not answer may know of a run that has begun anew.
+std::optional<GoOnPlace> place_beside(const machine::MachineLink* link, const Unfinished& unfinished) {
+    return link == nullptr || unfinished.is_silent ? std::nullopt : place_to_go_on(*link, unfinished.found);
+}
+
 /// Reports first that there is no core, then the piece that it left unfinished.
 Result<int> tell_without_core(const CommonOptions& common, const machine::MachineLink* link, Error error,
                               UnfinishedPieces& pieces) {
@@ -153,7 +158,7 @@ Result<int> tell_without_core(const CommonOptions& common, const machine::Machin
     if (!is_gone) return error;
     if (common.json) {
         const Unfinished unfinished = pieces.without_core(link, common.segment);
-        const auto place = link != nullptr ? place_to_go_on(*link) : std::nullopt;
+        const auto place = place_beside(link, unfinished);
         if (!unfinished.found && !unfinished.is_silent && !place) return error;
         print_error(error);
         nlohmann::ordered_json object;
@@ -164,8 +169,8 @@ Result<int> tell_without_core(const CommonOptions& common, const machine::Machin
         return exit_code_of(error.code);
     }
     print_error(error);
-    if (link != nullptr) std::fputs(go_on_text(place_to_go_on(*link)).c_str(), stdout);
-    std::fputs(text_of(pieces.without_core(link, common.segment)).c_str(), stdout);
+    const Unfinished unfinished = pieces.without_core(link, common.segment);
+    std::fputs((go_on_text(place_beside(link, unfinished)) + text_of(unfinished)).c_str(), stdout);
     return exit_code_of(error.code);
 }
 
@@ -182,7 +187,7 @@ std::string json_line(machine::MachineLink& link, const ProgramSight& sight, con
     object["last_program"] = last_program_json(sight.program.status);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
-    object["go_on"] = go_on_json(runs_job(status.state) ? std::nullopt : place_to_go_on(link));
+    object["go_on"] = go_on_json(place_to_go_on(link, status));
     if (const auto remarks = current_remarks(link.job_remarks(), checkpoint); !remarks.empty()) {
         object["job_remark"] = in_words(remarks);
         auto messages = nlohmann::ordered_json::array();
@@ -234,7 +239,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         std::string text = head_line(*link) + status_text(status, profile ? &*profile : nullptr, pass) +
                            program_text(program, status, profile ? &*profile : nullptr) +
                            checkpoint_text(checkpoint, checkpoint && link->is_of_published_job(*checkpoint));
-        if (!runs_job(status.state)) text += go_on_text(place_to_go_on(*link));
+        text += go_on_text(place_to_go_on(*link, status));
         if (const std::string remark = in_words(current_remarks(link->job_remarks(), checkpoint));
             !remark.empty())
             text += "mind       " + remark + "\n";

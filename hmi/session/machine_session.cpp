@@ -195,7 +195,7 @@ void MachineSession::look_for_checkpoint() {
     if (!checkpoint || !link_->is_of_published_job(*checkpoint)) return;
     if (checkpoint->next_layer > 0 && checkpoint->next_layer < checkpoint->layer_count)
         view_.resumable_layer = checkpoint->next_layer;
-    view_.resumable_point = link_->point_to_resume(*checkpoint);
+    if (!is_contradicted(*checkpoint, view_)) view_.resumable_point = link_->point_to_resume(*checkpoint);
     if (checkpoint->earlier_layer != 0) view_.earlier_layer = checkpoint->earlier_layer;
     view_.checkpoint_layer_count = checkpoint->layer_count;
     view_.checkpoint_job_checksum = checkpoint->job_checksum;

@@ -81,6 +81,14 @@ bool is_from_disk_alone(const MachineView& machine, std::uint32_t layer) noexcep
            (machine.resumable_layer == layer || machine.earlier_layer == layer);
 }
 
+bool is_contradicted(const Checkpoint& known, const MachineView& machine) noexcept {
+    if (machine.is_heard() || !machine.saved_piece) return false;
+    const SavedCheckpoint& saved = machine.saved_piece->saved;
+    // Of another job, or of the other kind of machine, the disk says nothing of this piece.
+    return saved.checkpoint.job_checksum == known.job_checksum &&
+           saved.is_simulator == known.is_simulated() && !is_same_place(saved.checkpoint, known);
+}
+
 std::optional<Phrase> disagreement(const MachineView& machine) {
     const auto both =
         std::ranges::find(machine.job_remarks, MessageId::segment_and_disk_disagree, &psicarve::Message::id);

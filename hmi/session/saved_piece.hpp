@@ -20,6 +20,9 @@ bool may_be_saved(const MachineView& machine) noexcept;
 bool is_from_disk_alone(const MachineView& machine, std::uint32_t layer) noexcept;
 /// Memory and disk had different layers when the core accepted the job, and nothing was carved since.
 std::optional<Phrase> disagreement(const MachineView& machine);
+/// Without a core: the disk's record of the segment's piece is of another place, as after a run that was
+/// begun anew; the next core takes the lower of the two, and no point within a layer.
+bool is_contradicted(const Checkpoint& known, const MachineView& machine) noexcept;
 /// The question in sentences: which piece, since when, with which tool and profile.
 std::vector<Phrase> disk_question(const MachineView& machine);
 

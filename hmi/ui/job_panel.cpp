@@ -246,6 +246,9 @@ void JobPanel::refresh_jobs() {
     jobs_->refresh();
     const auto job = jobs_->job();
     if (!job) return;
+    // The layer's number may be the same in another job.
+    if (context_.first_layer.job.lock() != job) point_->setValue(0);
+    context_.first_layer.job = job;
     layer_->setMaximum(static_cast<int>(job->view.layer_count()));
     point_->setMaximum(static_cast<int>(job->view.point_count()));
 }

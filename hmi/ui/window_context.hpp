@@ -97,9 +97,10 @@ struct WindowContext {
     session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
     /// The boxes that say with which layer to begin, and with which of its points.
     struct LayerChoice {
-        std::uint32_t offered = 0;  ///< by the machine, from 0
-        int chosen = 1;             ///< as it is shown, from 1
-        int point = 0;              ///< of that layer, as it is shown, from 1; 0: its begin
+        std::uint32_t offered = 0;                  ///< by the machine, from 0
+        int chosen = 1;                             ///< as it is shown, from 1
+        int point = 0;                              ///< of that layer, as it is shown, from 1; 0: its begin
+        std::weak_ptr<const cam::PreparedJob> job;  ///< that the point is of
     };
     LayerChoice first_layer;
 

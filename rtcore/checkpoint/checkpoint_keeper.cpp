@@ -81,13 +81,22 @@ void CheckpointKeeper::note_point(SegmentHeader& header, const cycle::Sample& sa
     // From how many of a run's points on steps were lost nobody knows: the layer is proposed.
     has_lost_steps_ = has_lost_steps_ || sample.alarm_cause == AlarmCause::steps_lost;
     const std::uint32_t count = job.view.point_count();
-    const std::uint64_t step = reached_points_ - std::uint64_t{next_layer} * count;  // one more than it
-    // The first point is the layer's begin; with the last nothing is left of it.
-    const bool is_within = !has_lost_steps_ && step > 1 && step < count;
+    const std::uint64_t finished = std::uint64_t{next_layer} * count;
+    // The first point is the layer's begin; with the last nothing is left of it. An earlier layer that is
+    // done again has not come to it.
+    const bool is_within =
+        !has_lost_steps_ && reached_points_ > finished + 1 && reached_points_ < finished + count;
     if (!is_within) return write_point(header, 0);
-    const std::uint32_t point =
-        carved_point(job.view.joining(), count, next_layer, static_cast<std::uint32_t>(step - 1));
+    const auto step = static_cast<std::uint32_t>(reached_points_ - finished - 1);
+    const std::uint32_t point = carved_point(job.view.joining(), count, next_layer, step);
     write_point(header, reached_word(job.checksum, next_layer, point));
+}
+
+// In whatever state it is found out: they may have been lost while the point was reached.
+void CheckpointKeeper::note_lost_steps(SegmentHeader& header, const cycle::Sample& sample) noexcept {
+    if (sample.alarm_cause != AlarmCause::steps_lost) return;
+    has_lost_steps_ = true;
+    write_point(header, 0);
 }
 
 void CheckpointKeeper::write_point(SegmentHeader& header, std::uint64_t word) noexcept {
@@ -95,7 +104,7 @@ void CheckpointKeeper::write_point(SegmentHeader& header, std::uint64_t word) no
     header.reached_point.store(word);
 }
 
-std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, const cycle::Sample& sample,
+std::optional<ToKeep> CheckpointKeeper::announce(SegmentHeader& header, const cycle::Sample& sample,
                                                  const LoadedJob& job, std::uint32_t most_told) noexcept {
     const bool is_under_way = sample.job_generation == job.generation && runs_job(sample.state);
     const auto before = known_of(header, job);
@@ -111,6 +120,8 @@ std::optional<ToKeep> CheckpointKeeper::announce(const SegmentHeader& header, co
     if (before && (first_layer != 0 || sample.first_step != 0)) return std::nullopt;
     if (!before && most_told <= first_layer) return std::nullopt;
     is_announced_ = true;
+    // Another blank may be on the table; the way back to the piece before is by its layer.
+    if (before) write_point(header, 0);
     if (before) return ToKeep{own(job, 0, before->left_behind()), Keeping::announced};
     const auto first =
         static_cast<std::uint32_t>(std::min<std::uint64_t>(first_layer, job.view.layer_count()));
@@ -170,6 +181,8 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, const RunBegin& be
     const auto before = known_of(header, job);
     const bool is_whole = first_layer == 0 && begin.step == 0;
     reached_points_ = before && !is_whole ? points_known(header, *before, job.view) : 0;
+    // Whoever does a layer again distrusts it: what was reached of it before, and beyond, is past.
+    if (begin.step == 0) reached_points_ = std::min(reached_points_, first_layer * job.view.point_count());
     // The operator who begins with a later layer has seen that the earlier ones are carved; within a layer
     // that is not enough.
     leaves_gap_ = !is_known(begin, job);

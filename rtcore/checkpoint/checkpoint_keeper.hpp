@@ -25,12 +25,13 @@ struct ToKeep {
 };
 
 /// Writes into the segment how far a carving has come, a layer at a time and, beside it, the point within the
-/// layer that follows (reached_point.hpp), while it carves and as it ends, however it ends. A run of the
-/// whole job begins anew, since the layers carved before may be another piece's; how far those came stands
-/// beside it until it is passed, so that a start by mistake leaves a way back. A run that begins with a later
-/// layer continues from the checkpoint, if it leaves no layer out; or, with exactly the layer behind the run
-/// before, it goes back to that run's piece; any other leaves the checkpoint at the first layer that is not
-/// carved. A record of the other kind of machine does not count. Used by the supervisor's thread.
+/// layer that follows (reached_point.hpp), while it carves and as it ends, however it ends. A run that begins
+/// with a layer's first point forgets the point in it or beyond. A run of the whole job begins anew, since
+/// the layers carved before may be another piece's; how far those came stands beside it until it is passed,
+/// so that a start by mistake leaves a way back. A run that begins with a later layer continues from the
+/// checkpoint, if it leaves no layer out; or, with exactly the layer behind the run before, it goes back to
+/// that run's piece; any other leaves the checkpoint at the first layer that is not carved. A record of the
+/// other kind of machine does not count. Used by the supervisor's thread.
 class CheckpointKeeper {
 public:
     explicit CheckpointKeeper(bool is_simulator) noexcept : is_simulator_(is_simulator) {}
@@ -44,6 +45,9 @@ public:
     /// of this job, whatever the segment knows.
     std::optional<ToKeep> note(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob* job,
                                std::uint32_t most_told) noexcept;
+
+    /// Every round, whatever the machine does: once steps were lost no point is known to be right.
+    void note_lost_steps(SegmentHeader& header, const cycle::Sample& sample) noexcept;
 
     /// The result of taking over a disk's record of the current job.
     struct TakenOver {
@@ -66,8 +70,8 @@ private:
     std::optional<Checkpoint> known_of(const SegmentHeader& header, const LoadedJob& job) const noexcept;
     Checkpoint own(const LoadedJob& job, std::uint32_t next_layer,
                    std::uint32_t earlier_layer) const noexcept;
-    std::optional<ToKeep> announce(const SegmentHeader& header, const cycle::Sample& sample,
-                                   const LoadedJob& job, std::uint32_t most_told) noexcept;
+    std::optional<ToKeep> announce(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob& job,
+                                   std::uint32_t most_told) noexcept;
     bool is_carving_of(const cycle::Sample& sample, const LoadedJob& job) noexcept;
     /// The layer with which a run began, and which of its points, in the order of carving.
     struct RunBegin {
@@ -90,7 +94,7 @@ private:
     bool is_announced_ = false;      ///< a run that has not left its first point
     std::uint64_t written_job_ = 0;  ///< generation
     std::optional<Checkpoint> written_;
-    std::uint64_t reached_points_ = 0;  ///< of the job, without a gap, since the last begin of the whole
+    std::uint64_t reached_points_ = 0;  ///< of the job, without a gap, since the newest begin of a layer
     bool has_lost_steps_ = false;       ///< in this run: its points are no good places
     std::optional<std::uint64_t> written_word_;  ///< of reached_point.hpp, in this run
 };

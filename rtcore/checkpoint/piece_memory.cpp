@@ -35,6 +35,7 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
                        const std::shared_ptr<const LoadedJob>& job) {
     file_.tend();
     header.core.keeping.store(file_.keeping().pack());
+    keeper_.note_lost_steps(header, sample);
     // A program carves in the same states, and nothing of the job.
     if (job == nullptr || sample.program.is_running != 0) return;
     if (file_.has_answered_late()) {

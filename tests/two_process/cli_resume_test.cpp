@@ -6,12 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "shared/profile/profile.hpp"
+#include "shared/record/saved_checkpoint.hpp"
 #include "tests/two_process/commanded_core.hpp"
 
 namespace psicarve::test {
 namespace {
 
-class ResumeCommand : public CommandedCore {};
+class ResumeCommand : public CommandedCore {
+protected:
+    /// Of a machine for which the sliced box's job is not made.
+    std::string other_profile() const {
+        Profile profile;
+        profile.r1.pulses_per_mm = profile.r1.pulses_per_mm / 2;
+        write("other.toml", profile_to_toml(profile));
+        return file("other.toml");
+    }
+};
 
 TEST_F(ResumeCommand, ResumesBehindTheLastFinishedLayer) {
     start_core();
@@ -101,9 +112,10 @@ TEST_F(ResumeCommand, StatusTellsWithWhichPointAnEndedCarvingGoesOn) {
     const CoreStatus ended = status();
     ASSERT_LT(ended.points_done, ended.points_total);
     ASSERT_GT(ended.points_done % 361, 1U) << "the test wants an end within a layer";
-    const std::string command = "psicarve start --from-layer " + std::to_string(ended.layer) +
-                                " --from-point " + std::to_string(ended.point) + " --segment " + segment_;
-    EXPECT_NE(run({"status"}).out.find("go on      " + command + "\n"), std::string::npos)
+    const std::string command = "psicarve start --resume --segment " + segment_;
+    const std::string place = " (within layer " + std::to_string(ended.layer) + ", with its point " +
+                              std::to_string(ended.point) + ")";
+    EXPECT_NE(run({"status"}).out.find("go on      " + command + place + "\n"), std::string::npos)
         << run({"status"}).out;
     const auto go_on = run({"status", "--json"}).json()["go_on"];
     EXPECT_EQ(go_on["layer"], ended.layer);
@@ -165,6 +177,57 @@ TEST_F(ResumeCommand, GoesOnWithinALayerAfterTheCoreWasKilledAtAnyPoint) {
     if (begun.points_done % 361 > 1) words.insert(words.end(), {"--from-point", std::to_string(begun.point)});
     const Outcome judged = psicarve(words);
     EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.error;
+}
+
+// A new blank may be on the table: with --from-layer and --from-point a core would check nothing.
+TEST_F(ResumeCommand, OffersNoPointOfThePieceBeforeARunThatWasBegunAnew) {
+    start_core({"--state", file("state")});
+    ASSERT_EQ(run({"publish", sliced_box("1500", "361")}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"start", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3 * 361 + 20; }));
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    const auto told = [&] { return run({"status", "--json", "--state", file("state")}).json(); };
+    ASSERT_GT(status().points_done % 361, 1U) << "the test wants an end within a layer";
+    ASSERT_FALSE(told()["go_on"].is_null());
+    ASSERT_EQ(run({"start"}).exit_code, 0);
+    core_->send(SIGKILL);
+    core_->wait();
+    EXPECT_EQ(told()["go_on"], nullptr);
+    const std::string text = run({"status", "--state", file("state")}).out;
+    EXPECT_EQ(text.find("--from-point"), std::string::npos) << text;
+    EXPECT_EQ(text.find("within layer"), std::string::npos) << text;
+}
+
+TEST_F(ResumeCommand, OffersThePointOnlyWhereDiskAndSegmentAgreeAndACoreTakesIt) {
+    start_core({"--state", file("state")});
+    ASSERT_EQ(run({"publish", sliced_box("1500", "361")}).exit_code, 0);
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    ASSERT_EQ(run({"start", "--carve"}).exit_code, 0);
+    ASSERT_TRUE(eventually([&] { return status().points_done > 3 * 361 + 20; }));
+    ASSERT_EQ(run({"stop"}).exit_code, 0);
+    ASSERT_TRUE(reaches(MachineState::ready));
+    ASSERT_GT(status().points_done % 361, 1U) << "the test wants an end within a layer";
+    core_->send(SIGTERM);
+    core_->wait();
+    const auto go_on = [&] { return run({"status", "--json", "--state", file("state")}).json()["go_on"]; };
+    EXPECT_FALSE(go_on().is_null());
+    auto found = find_unfinished(segment_, {}, file("state"));
+    ASSERT_TRUE(found);
+    Checkpoint& kept = found->saved.checkpoint;
+    const Checkpoint agreed = kept;
+    kept = checkpoint_at(kept.job_checksum, kept.next_layer - 1, kept.layer_count, 0, kept.origin);
+    ASSERT_TRUE(save_checkpoint(found->saved, found->path));
+    EXPECT_EQ(go_on(), nullptr) << "the next core takes the lower layer";
+    kept = agreed;
+    ASSERT_TRUE(save_checkpoint(found->saved, found->path));
+    EXPECT_FALSE(go_on().is_null());
+    // One that refuses the published job takes no start.
+    start_core({"--state", file("state"), "--profile", other_profile()});
+    ASSERT_TRUE(eventually([&] { return status().heartbeat != 0 && status().job_generation == 0; }));
+    EXPECT_EQ(go_on(), nullptr);
+    EXPECT_EQ(run({"status"}).out.find("within layer"), std::string::npos);
 }
 
 TEST_F(ResumeCommand, ADryRunCarvesNothingAndLeavesNoCheckpoint) {

@@ -10,6 +10,8 @@
 
 #include "shared/computer/process_identity.hpp"
 #include "shared/record/saved_checkpoint.hpp"
+#include "shared/segment/reached_point.hpp"
+#include "shared/segment/shared_record.hpp"
 #include "tests/hmi/session/session_rig.hpp"
 #include "tests/places.hpp"
 
@@ -175,6 +177,37 @@ TEST_F(SessionOnCore, TakesACoreThatHasNotSignedForNone) {
     core->header().core.start_time.store(0);
     core->header().core.pid.store(1);
     EXPECT_TRUE(comes_true([&] { return session_->view().core_pid == 1U; }));
+}
+
+// A run may have begun anew with another blank: the segment's point counts beside a disk that agrees.
+TEST_F(SessionOnCore, KnowsNoPointOfADeadCoreWhereTheDiskTellsOfAnotherPlace) {
+    start_core();
+    open_session();
+    open_and_publish(two_process::long_job());
+    SessionOptions options{segment_name_, {}, {}};
+    options.state_folder = file("");
+    session_ = std::make_unique<MachineSession>(options, log_);
+    ASSERT_TRUE(comes_true([&] { return session_->view().is_heard(); }));
+    core_.reset();
+    SegmentHeader& header = segment_->header();
+    const std::uint64_t job = *published_checksum(*segment_);
+    const auto known = [&](std::uint32_t layer) {
+        return checkpoint_at(job, layer, 40, 0, kCheckpointSimulated);
+    };
+    write_record(header.checkpoint, known(3));
+    header.reached_point.store(reached_word(job, 3, 56));
+    const auto& machine_view = session_->view();
+    ASSERT_TRUE(comes_true([&] { return !machine_view.is_heard() && machine_view.resumable_point == 56U; }));
+    SavedCheckpoint saved;
+    saved.segment_name = segment_name_;
+    saved.is_simulator = true;
+    const std::string path = StateNames{file(""), segment_name_, true}.checkpoint();
+    saved.checkpoint = known(2);
+    ASSERT_TRUE(save_checkpoint(saved, path));
+    EXPECT_TRUE(comes_true([&] { return machine_view.saved_piece && !machine_view.resumable_point; }));
+    saved.checkpoint = known(3);
+    ASSERT_TRUE(save_checkpoint(saved, path));
+    EXPECT_TRUE(comes_true([&] { return machine_view.resumable_point == 56U; }));
 }
 
 // The segment of the shop's machine may have been the simulated one's before, and a core takes its time to be

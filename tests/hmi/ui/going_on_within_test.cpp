@@ -3,6 +3,7 @@
 // operator wants it to.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDialog>
 #include <QLabel>
 #include <QMessageBox>
@@ -111,6 +112,24 @@ TEST_F(GoingOnWithin, AnyPointOfAnyLayerIsAskedForWithTheWayThere) {
     EXPECT_TRUE(all_messages().contains("Start from layer 2, point 21")) << all_messages().toStdString();
     ASSERT_TRUE(comes_to(S::ready));
     EXPECT_EQ(machine_view().resumable_point, 56U) << "that layer was carved before: the place stays";
+}
+
+// The layer's number stays where both begin with the first.
+TEST_F(GoingOnWithin, ThePointInItsBoxIsOfOneJobAlone) {
+    start_core();
+    open_in_front();
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::long_job()));
+    auto& point = part<QSpinBox>("point");
+    ASSERT_TRUE(comes_true([&] { return point.maximum() > 100; }));
+    point.setValue(21);
+    for (int look = 0; look < 3; ++look) QApplication::processEvents();
+    window_->context().open_job.publish();
+    ASSERT_TRUE(comes_to(session::OpenJobState::published));
+    EXPECT_EQ(point.value(), 21) << "the same job";
+    ASSERT_NO_FATAL_FAILURE(publish_job(two_process::lobed_job(30, 90)));
+    EXPECT_TRUE(comes_true([&] { return point.maximum() == 90; }));
+    EXPECT_EQ(part<QSpinBox>("layer").value(), 1);
+    EXPECT_EQ(point.value(), 0);
 }
 
 class FitWithin : public Fit {};

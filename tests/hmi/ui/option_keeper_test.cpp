@@ -150,15 +150,15 @@ TEST_F(KeptOptions, NeverMoveNorArmNorDriveFaster) {
 /// Whoever adds a field to the window decides here whether it survives.
 TEST_F(KeptOptions, AreAllButThoseThatBelongToOneModelRunOrMoment) {
     open_window();
-    std::set<QString> expected{// Of one model.
-                               "axis_at", "axis_x", "axis_y", "height", "scale", "mirror", "turn_x", "turn_y",
-                               "turn_z", "model_or_piece", "engrave_depth", "engrave_start",
-                               "engrave_diameter", "relief_diameter", "relief_around", "relief_black",
-                               "relief_white", "relief_gamma", "relief_smooth", "relief_seam",
-                               // Of one run, or of the machine's.
-                               "override", "rapid_override", "layer", "test_output", "program_from_line",
-                               // Where one looks at the moment.
-                               "layer_slider", "point_slider", "layer_number", "program_plane"};
+    std::set<QString> expected{
+        // Of one model.
+        "axis_at", "axis_x", "axis_y", "height", "scale", "mirror", "turn_x", "turn_y", "turn_z",
+        "model_or_piece", "engrave_depth", "engrave_start", "engrave_diameter", "relief_diameter",
+        "relief_around", "relief_black", "relief_white", "relief_gamma", "relief_smooth", "relief_seam",
+        // Of one run, or of the machine's.
+        "override", "rapid_override", "layer", "point", "test_output", "program_from_line",
+        // Where one looks at the moment.
+        "layer_slider", "point_slider", "layer_number", "program_plane"};
     for (const char* const name : OptionKeeper::names()) expected.insert(name);
     const auto is_part_of_something = [](const QObject& field) {
         return field.objectName().startsWith("qt_") ||

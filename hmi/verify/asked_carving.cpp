@@ -2,9 +2,9 @@
 #include "hmi/verify/asked_carving.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <iterator>
+#include <tuple>
 
 #include "shared/machine/command.hpp"
 #include "shared/machine/recorded_start.hpp"
@@ -40,8 +40,11 @@ Record first_of_replay(std::span<const FlightRecord> records) {
 struct Place {
     std::uint32_t layer = 0;
     std::uint32_t step = 0;
-    auto operator<=>(const Place&) const = default;
 };
+
+bool lies_behind(const Place& one, const Place& other) {
+    return std::tie(one.layer, one.step) > std::tie(other.layer, other.step);
+}
 
 struct Asked {
     Place begin;
@@ -85,8 +88,8 @@ bool is_cut_short(Record begin, Record end) {
 void go_on_with(std::optional<Asked>& so_far, const Asked& next) {
     const bool has_carved = so_far && !so_far->is_dry;
     if (next.is_dry && has_carved) return;
-    const bool goes_on =
-        has_carved && !next.is_dry && next.begin > so_far->begin && next.begin <= Place{so_far->end_layer, 0};
+    const bool goes_on = has_carved && !next.is_dry && lies_behind(next.begin, so_far->begin) &&
+                         !lies_behind(next.begin, {so_far->end_layer, 0});
     if (!goes_on) {
         so_far = next;
         return;

@@ -2,6 +2,7 @@
 // The end of a core, or of a command that waits for one: killed, stopped, interrupted.
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
+#include "tests/two_process/quick_planning.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -43,6 +44,7 @@ TEST_F(Machine, AStoppedCoreIsCalledSilent) {
 }
 
 TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
+    const QuickPlanning quick{file("quick.toml")};
     start_core();
     RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_}};
     ASSERT_TRUE(makes_it_carve(carve));
@@ -54,6 +56,7 @@ TEST_F(Machine, AnInterruptedCarveStopsTheRunningCoreInOrder) {
 }
 
 TEST_F(Machine, APrivateCoreEndsWithAKilledCarve) {
+    const QuickPlanning quick{file("quick.toml")};
     RunningProgram carve{"psicarve", {"carve", long_job(), "--segment", segment_}};
     ASSERT_TRUE(makes_it_carve(carve));
     carve.send(SIGKILL);
@@ -107,6 +110,7 @@ TEST_F(Machine, ACoreOnTheRealClockCarvesOnWhenItsCarveIsKilled) {
 }
 
 TEST_F(Machine, AnInterruptedCarveEndsItsOwnCoreInOrder) {
+    const QuickPlanning quick{file("quick.toml")};
     RunningProgram carve{"psicarve",
                          {"carve", long_job(), "--segment", segment_, "--picture", file("out.png")}};
     ASSERT_TRUE(makes_it_carve(carve));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
+#include "tests/two_process/quick_planning.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -120,6 +121,7 @@ TEST_F(Machine, ARunningCoreByTheWallClockIsJudgedAsWell) {
 }
 
 TEST_F(Machine, AKilledReaderOfThePinsHoldsUpNobodyAndLeavesThemToTheNext) {
+    const QuickPlanning quick{file("quick.toml")};
     start_core();
     const std::string path = is_thorough() ? long_job() : job("80", "200");
     RunningProgram killed{"psicarve", {"carve", path, "--trace", file("killed.vcd"), "--segment", segment_}};
@@ -242,6 +244,7 @@ TEST_F(Machine, EmergencyStopAndBack) {
 }
 
 TEST_F(Machine, AJobIsHeldResumedAndStopped) {
+    const QuickPlanning quick{file("quick.toml")};
     start_core();
     ASSERT_EQ(run({"home"}).exit_code, 0);
     ASSERT_EQ(run({"publish", long_job()}).exit_code, 0);

@@ -3,12 +3,14 @@
 
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
+#include "tests/two_process/quick_planning.hpp"
 
 namespace psicarve::test {
 namespace {
 
 // The core has stopped, and its trace is read to the end: whenever that is, the second one costs nothing.
 TEST_F(Machine, ASecondBreakAtAnyInstantLeavesTheReportAndTheWholeTrace) {
+    const QuickPlanning quick{file("quick.toml")};
     std::mt19937 random{20261126};
     std::uniform_int_distribution<int> pause_ms{0, 300};
     const std::string job_path = long_job();

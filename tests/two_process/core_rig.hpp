@@ -34,8 +34,8 @@ JobTable lobed_job(std::uint32_t layers, std::uint32_t points, const Profile& pr
 /// So long that a test can interfere while it is carved, however busy the computer is. A sanitizer's core
 /// takes three times as long for each layer, at least.
 inline constexpr std::uint32_t kLongLayers = test::kIsSanitized ? 2000 : 4000;
-inline JobTable long_job() {
-    return lobed_job(kLongLayers, 201);
+inline JobTable long_job(const Profile& profile = Profile{}) {
+    return lobed_job(kLongLayers, 201, profile);
 }
 
 /// A segment of its own for each test, and cores on it.

@@ -14,6 +14,7 @@
 #include "shared/segment/shared_record.hpp"
 #include "tests/hmi/session/session_rig.hpp"
 #include "tests/places.hpp"
+#include "tests/two_process/quick_planning.hpp"
 
 namespace psicarve::session {
 namespace {
@@ -48,9 +49,10 @@ TEST_F(SessionOnCore, GoesTheWholeWayFromAModelToADoneJob) {
 }
 
 TEST_F(SessionOnCore, HoldsResumesStopsAtOnceAndResets) {
+    const psicarve::test::QuickPlanning quick{file("quick.toml")};
     start_core();
     open_session();
-    open_and_publish(two_process::long_job());
+    open_and_publish(two_process::long_job(quick.profile()));
     home_session();
     session_->start(0);
     ASSERT_TRUE(comes_to(S::carving));

@@ -105,8 +105,10 @@ void Cycle::go_on_with_motion() noexcept {
         return;
     }
     const Motion::Progress progress = motion_.step(clock_.tick());
-    if (progress != Executor::kNothing) after_step(progress);
-    if (carves_program() && (motion_.has_run_out() || !program_.is_supplied())) watch_supply();
+    // On its way it is supplied, as was seen in the step in which that began.
+    if (progress == Executor::kNothing && motion_.is_under_way()) return;
+    after_step(progress);
+    if (carves_program()) watch_supply();
 }
 
 void Cycle::end_move(MoveEnd end) noexcept {

@@ -93,6 +93,8 @@ public:
 
     /// As BlockFeed has it.
     void drop_overtaken() noexcept { feed_.drop_overtaken(); }
+    /// The motion at hand has begun and not ended, though it may rest on its way.
+    bool is_under_way() const noexcept { return in_motion_; }
     /// It rests, and nothing is queued that it could do next.
     bool has_run_out() const noexcept { return !in_motion_ && feed_.has_run_out(); }
     /// It may slow down, or rest, because the next group is not queued.

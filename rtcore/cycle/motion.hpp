@@ -60,6 +60,8 @@ public:
     /// Rotors that may still turn.
     const Coasting& coasting() const noexcept { return coasting_; }
 
+    /// As Executor has it, the heads' way out and back aside.
+    bool is_under_way() const noexcept { return executor_.is_under_way(); }
     /// It rests, heads on the path, and nothing is queued that it could do next.
     bool has_run_out() const noexcept { return !lift_.is_active() && executor_.has_run_out(); }
     /// It may slow down for want of blocks.

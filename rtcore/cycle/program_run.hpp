@@ -57,10 +57,8 @@ public:
     /// Records alone are awaited: with them it goes on by itself.
     bool is_starved() const noexcept { return status_.hold == ProgramHold::starved; }
 
-    /// Nothing would change if it were told once more that it has not run out.
-    bool is_supplied() const noexcept { return has_begun_ && empty_steps_ == 0; }
-    /// Each step of the interpolation in which it runs. True, once: from now on it starves, and that was
-    /// counted. Before its first block it does not.
+    /// Each step of the interpolation in which it runs and a motion begins, or none is under way. True, once:
+    /// from now on it starves, and that was counted. Before its first block it does not.
     bool runs_out(bool has_run_out) noexcept {
         if (!has_run_out) {
             empty_steps_ = 0;

@@ -197,6 +197,27 @@ TEST(StarvedProgram, IsRecordedOnceASecondAtMostWithHowOftenItWas) {
     }
 }
 
+// Waits that are over before they are told do not add up.
+TEST(StarvedProgram, IsNoneWhoseWriterIsOftenALittleLate) {
+    ProgramRig sut;
+    Script script{sut.positions()};
+    for (int i = 0; i < 6; ++i) script.way({i % 2 == 0 ? -20 : 20, 0, 0, 0}, 0.0);
+    script.end();
+    const auto source = sut.give(script.steps);
+    source->written = 1;
+    ASSERT_EQ(sut.start(), Refusal::none);
+    while (source->written < script.steps.size()) {
+        const Positions end = script.steps[source->written - 1].target_pulses;
+        ASSERT_TRUE(sut.run_while([&] { return sut.positions() != end; }));
+        sut.run(kPatienceTicks / 2);
+        EXPECT_EQ(sut.cycle->state(), MachineState::carving) << source->written;
+        ++source->written;
+    }
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    EXPECT_EQ(sut.program().starvations, 0U);
+    EXPECT_EQ(sut.positions(), script.at());
+}
+
 // It is held from then on, and that is told.
 TEST(StarvedProgram, IsRecordedAsHeldWhereSomebodyHoldsIt) {
     ProgramRig sut;

@@ -66,6 +66,7 @@ Result<void> tell_start(const GcodeRunOptions& options, const Profile& profile,
                         const gcode::Approach& approach, const CoreStatus& status,
                         const OperatorBreak& operator_break) {
     if (options.from_line <= 1) return {};
+    if (!approach.is_reached) return gcode::ends_before(options.from_line);
     print_note(start_text({options.from_line, approach, profile.gcode.turns_shortest, options.is_dry,
                            (status.signals & bit_of(Signal::spindle)) != 0}));
     if (options.is_confirmed || options.is_simulated) return {};

@@ -6,6 +6,7 @@
 
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/gcode/canon.hpp"
+#include "shared/base/result.hpp"
 #include "shared/machine/signal.hpp"
 #include "shared/profile/profile.hpp"
 
@@ -17,9 +18,13 @@ struct Approach {
     std::uint8_t placed = 0;                 ///< bit of each axis that is brought to its place
     bool is_spindle_on = false;
     SwitchedOutputs outputs_on = 0;
+    bool is_reached = false;  ///< the program comes to that line
     bool is_needed() const noexcept { return placed != 0 || is_spindle_on || outputs_on != 0; }
     bool brings(Axis axis) const noexcept { return (placed >> index_of(axis) & 1U) != 0; }
 };
+
+/// Of a program that is to begin with such a line.
+Error ends_before(std::uint64_t line);
 
 /// Notes what stands before a line.
 class ApproachFinder : public CanonSink {
@@ -35,7 +40,6 @@ private:
     AxisLetters letters_;
     SwitchedOutputs wired_outputs_;
     std::uint32_t from_line_;
-    bool is_there_ = false;
     Approach found_;
 };
 

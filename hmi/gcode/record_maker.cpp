@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "hmi/gcode/approach.hpp"
 #include "hmi/gcode/arc_chords.hpp"
 #include "hmi/gcode/switched_outputs.hpp"
 #include "shared/base/units.hpp"
@@ -49,9 +50,7 @@ void RecordMaker::take(const CanonRecord& record) {
 }
 
 Result<void> RecordMaker::finish() {
-    if (!has_begun_ && options_.from_line > 1)
-        outlet_.fail(bad_input("the program ends before line " + std::to_string(options_.from_line) +
-                               "; begin at an earlier line"));
+    if (!has_begun_ && options_.from_line > 1) outlet_.fail(ends_before(options_.from_line));
     if (!has_ended_) put(MotionKind::end, line_, 0, 0.0);
     outlet_.flush();
     if (outlet_.failure()) return *outlet_.failure();

@@ -142,16 +142,15 @@ void RecordProgram::take_way(const ProgramStep& step) {
         if (is_single_ && step.ends_block) halt(ProgramHold::single, step.line);
         return;
     }
+    const bool has_way = step.target_pulses != points_.back().pulses;
+    // It may only bring to rest what it ends.
+    if (!has_way && step.ends_block && points_.size() > begin_ + 1) ways_.back().place.ends_line = true;
     const bool is_exact = step.tolerance_mm <= 0.0;
     // An exact way has no tube of the ways before it.
     const double before_mm = tolerance_mm_;
     if (before_mm > 0.0 && (is_exact || step.tolerance_mm != before_mm)) come_to_rest();
     if (!is_exact) tolerance_mm_ = step.tolerance_mm;
-    if (step.target_pulses != points_.back().pulses) {
-        add_way(step);
-    } else if (step.ends_block && points_.size() > begin_ + 1) {
-        ways_.back().place.ends_line = true;
-    }
+    if (has_way) add_way(step);
     const bool halts = is_single_ && step.ends_block;
     if (is_exact || halts) {
         come_to_rest();

@@ -91,6 +91,16 @@ TEST_F(FromLine, IsBegunByAYesAlone) {
     EXPECT_EQ(r1_pulses(), 39 * 400);
 }
 
+// What the machine would do is not told for a line that is never reached, and nobody is asked.
+TEST_F(FromLine, IsRefusedBehindTheProgramsEndBeforeAnybodyIsAsked) {
+    start_homed();
+    const Outcome refused = run({"gcode", "run", file("p.ngc"), "--from-line", "6", "--unattended"});
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_NE(refused.error.find("the program ends before line 6"), std::string::npos) << refused.error;
+    EXPECT_EQ(refused.error_lines(), 1U) << refused.error;
+    EXPECT_EQ(run({"gcode", "run", file("p.ngc"), "--from-line", "5", "--unattended"}).exit_code, 0);
+}
+
 TEST_F(FromLine, IsNotBegunWhereTheMachineWasChangedWhileItAsked) {
     start_homed();
     for (const std::vector<std::string>& change :

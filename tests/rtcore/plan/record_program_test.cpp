@@ -194,6 +194,22 @@ TEST(RecordProgram, HaltsAfterEachBlockOneAtATime) {
     EXPECT_EQ(halted, (std::vector<std::uint64_t>{2, 3, 4}));
 }
 
+// As behind each arc under G61, whose last record only brings it to rest.
+TEST(RecordProgram, EndsALineWithItsLastWayWhereTheRecordBehindHasNone) {
+    for (const double tolerance_mm : {0.0, 0.01, 0.02}) {
+        Script script{kStartPulses};
+        script.way({30, 0, 0, 0}, 0.01).way({0, 30, 0, 0}, 0.01).way({0, 0, 0, 0}, tolerance_mm).end();
+        script.steps[0].ends_block = script.steps[1].ends_block = false;
+        std::vector<std::int64_t> ends;  // of r1 and y together
+        std::int64_t way = 0;
+        for (const MotionBlock& block : program_blocks(script.steps)) {
+            way += block.delta_pulses[0] + block.delta_pulses[1];
+            if (block.ends_line != 0) ends.push_back(way);
+        }
+        EXPECT_EQ(ends, std::vector<std::int64_t>{60}) << tolerance_mm;
+    }
+}
+
 // It stands where homing has the position of a latch.
 TEST(RecordProgram, GivesEachBlockItsRecordAndNoneThatLatchesOrDefines) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {

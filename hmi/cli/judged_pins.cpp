@@ -9,8 +9,19 @@
 
 namespace psicarve::cli {
 
+namespace {
+
+/// What the pins tell and the core's status does not: it knows the last run's whole job alone.
+void add_pins_figures(RunReport& report, const verify::VerifyReport& seen) {
+    report.figures.pulses = seen.pulses;
+    if (report.figures.carve_seconds || seen.carve_seconds == 0.0) return;
+    (seen.is_complete ? report.figures.carve_seconds : report.seconds_so_far) = seen.carve_seconds;
+}
+
+}  // namespace
+
 void add_verification(RunReport& report, Result<verify::VerifyReport> verification) {
-    if (verification) report.figures.pulses = verification->pulses;
+    if (verification) add_pins_figures(report, *verification);
     if (!verification) {
         report.unverified_reason = verification.error().message;
     } else if (!report.figures.is_complete) {
@@ -22,7 +33,7 @@ void add_verification(RunReport& report, Result<verify::VerifyReport> verificati
 
 void add_recorded_verification(RunReport& report, Result<verify::VerifyReport> verification) {
     if (!verification) return add_verification(report, std::move(verification));
-    report.figures.pulses = verification->pulses;
+    add_pins_figures(report, *verification);
     report.verification = std::move(verification).value();
 }
 

@@ -79,6 +79,15 @@ std::string passes_text(const RunReport& report) {
     return text;
 }
 
+std::string carving_text(const RunReport& report) {
+    const machine::RunFigures& figures = report.figures;
+    std::string text = "not finished, ";
+    if (figures.carve_seconds) text = clock_text(*figures.carve_seconds) + " of machine time, ";
+    if (report.seconds_so_far)
+        text = "not finished: " + clock_text(*report.seconds_so_far) + " of machine time, ";
+    return "carving    " + text + clock_text(figures.total_seconds) + " with approach and retraction\n";
+}
+
 std::string machine_text(const RunReport& report) {
     if (report.last.is_simulator == 0) return {};
     return "machine    " + (report.lost_steps.empty() ? "no step lost" : "STEPS LOST: " + report.lost_steps) +
@@ -95,10 +104,7 @@ std::string run_text(const RunReport& report) {
         formatted("job        %s: %u layers x %u points\n", report.source_name.substr(0, 150).c_str(),
                   report.layer_count, report.point_count);
     text += "pulses     " + pulses_text(figures.pulses) + "\n";
-    text += "carving    " +
-            (figures.carve_seconds ? clock_text(*figures.carve_seconds) + " of machine time, "
-                                   : std::string{"not finished, "}) +
-            clock_text(figures.total_seconds) + " with approach and retraction\n";
+    text += carving_text(report);
     text += passes_text(report);
     if (report.reference_seconds) text += "reference  " + clock_text(*report.reference_seconds) + "\n";
     text += formatted("run        %.2f s, %llu ticks (%.2f million a second), %llu missed\n",

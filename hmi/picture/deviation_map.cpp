@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 namespace psicarve::verify {
@@ -27,12 +28,15 @@ CellRange cells_of(std::size_t pixel, std::size_t pixels, std::uint32_t cells) {
     return {first, std::max(first + 1, end)};
 }
 
-std::int32_t largest_in(const CarvedSurface& surface, CellRange layers, CellRange directions) {
-    std::int32_t largest = 0;
+/// Nothing: none of them counts.
+std::optional<std::int32_t> largest_in(const CarvedSurface& surface, CellRange layers, CellRange directions,
+                                       bool shows_rest) {
+    std::optional<std::int32_t> largest;
     for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) {
         for (std::uint32_t d = directions.first; d < directions.end; ++d) {
+            if (!shows_rest && !surface.is_carved(layer, d)) continue;
             const std::int32_t deviation = surface.deviation_pulses(layer, d);
-            if (std::abs(deviation) > std::abs(largest)) largest = deviation;
+            if (!largest || std::abs(deviation) > std::abs(*largest)) largest = deviation;
         }
     }
     return largest;
@@ -112,7 +116,7 @@ Colour DeviationScale::colour(double pulses) const noexcept {
 }
 
 PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale& scale, std::size_t width_px,
-                              std::size_t height_px) {
+                              std::size_t height_px, bool shows_rest) {
     PixelImage image;
     image.width = width_px;
     image.height = height_px;
@@ -123,9 +127,9 @@ PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale
             const CellRange directions = cells_of(x, width_px, surface.direction_count());
             if (surface.is_spiral())
                 layers = spiral_layers(surface, directions.first, height_px - 1 - y, height_px);
-            const double pulses = largest_in(surface, layers, directions);
+            const auto pulses = largest_in(surface, layers, directions, shows_rest);
             const double grey = relief_grey(surface, layers.first, directions.first, layers, directions);
-            image.argb[y * width_px + x] = pixel_of(scale.colour(pulses), grey);
+            image.argb[y * width_px + x] = pixel_of(pulses ? scale.colour(*pulses) : kUncarvedColour, grey);
         }
     }
     return image;

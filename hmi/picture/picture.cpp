@@ -38,7 +38,8 @@ double round_length(double most) {
 
 std::string verdict_of(const PictureCaption& caption) {
     if (!caption.verified) return "NOT verified";
-    return caption.has_lost_steps ? "STEPS LOST" : "verified on the pins";
+    if (caption.has_lost_steps) return "STEPS LOST";
+    return caption.is_of_carved_alone ? "verified as far as it went" : "verified on the pins";
 }
 
 void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surface,
@@ -59,7 +60,8 @@ void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surf
                        caption.layers, caption.points, diameter_mm, height_mm) +
                     format("max deviation %lld pulses (%.3f mm)",
                            static_cast<long long>(caption.max_deviation_pulses),
-                           static_cast<double>(caption.max_deviation_pulses) * pulse_mm),
+                           static_cast<double>(caption.max_deviation_pulses) * pulse_mm) +
+                    (caption.is_of_carved_alone ? " of what was carved" : ""),
                 kText);
 }
 
@@ -114,6 +116,14 @@ void draw_colour_bar(Canvas& canvas, const DeviationScale& scale, double pulse_m
     canvas.text(x, kBar.y + kBar.height - 24.0, "too deep", kSmall);
 }
 
+/// Below the colour bar.
+void draw_uncarved_key(Canvas& canvas) {
+    const Box key{kBar.x, kBar.y + kBar.height + 12.0, kBar.width, kBar.width};
+    canvas.fill(key, kUncarvedColour);
+    canvas.frame(key, kFaint);
+    canvas.text(key.x + key.width + 7.0, key.y + key.height - 2.0, "not carved", kSmall);
+}
+
 }  // namespace
 
 PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
@@ -123,6 +133,7 @@ PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
     caption.points = job.point_count();
     caption.verified = report.ok;
     caption.max_deviation_pulses = report.max_deviation_pulses;
+    caption.is_of_carved_alone = report.is_of_carved_alone();
     return caption;
 }
 
@@ -138,9 +149,10 @@ Result<std::vector<std::byte>> picture_png(const CarvedSurface& surface, const P
     canvas.text(kMap.x, kMap.y - 8.0, "deviation from the job", kHeading);
     canvas.image(kMap.x, kMap.y,
                  draw_deviation_map(surface, scale, static_cast<std::size_t>(kMap.width),
-                                    static_cast<std::size_t>(kMap.height)));
+                                    static_cast<std::size_t>(kMap.height), !caption.is_of_carved_alone));
     draw_map_axes(canvas, grid);
     draw_colour_bar(canvas, scale, 1.0 / surface.pulses_per_mm());
+    if (caption.is_of_carved_alone) draw_uncarved_key(canvas);
     return canvas.png();
 }
 

@@ -20,6 +20,7 @@ struct PictureCaption {
     bool verified = false;
     bool has_lost_steps = false;  ///< the machine did not follow the pins
     std::int64_t max_deviation_pulses = 0;
+    bool is_of_carved_alone = false;  ///< it was cut short: what is left to carve is no deviation
 };
 PictureCaption caption_of(const JobView& job, const VerifyReport& report);
 

@@ -19,7 +19,8 @@ struct RunReport {
     std::uint32_t layer_count = 0;
     std::uint32_t point_count = 0;
     machine::RunFigures figures;
-    bool has_started = false;  ///< the machine has begun to work on the job
+    std::optional<double> seconds_so_far;  ///< carved before it was cut short, as the pins tell
+    bool has_started = false;              ///< the machine has begun to work on the job
     double wall_seconds = 0.0;
     std::optional<double> reference_seconds;
     std::optional<verify::VerifyReport>

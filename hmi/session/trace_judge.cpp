@@ -49,11 +49,24 @@ Result<std::shared_ptr<const Judgement>> judged(const std::string& path, const J
 /// Layers and points as the window counts them, from 1.
 Phrase judged_part(const verify::VerifyReport& report) {
     if (report.is_dry) return phrase("the pulses of a dry run");
-    if (report.is_whole_job) return phrase("the whole job");
+    if (report.is_whole_job)
+        return report.is_cut ? phrase("the job from its begin") : phrase("the whole job");
     const std::string first = std::to_string(report.first_layer + 1);
     const std::string last = std::to_string(report.first_layer + report.layer_count);
     if (!report.first_point) return phrase("layers %1 to %2", first, last);
     return phrase("layers %1 to %2, from point %3 on", first, last, std::to_string(*report.first_point + 1));
+}
+
+Phrase deviation_phrase(const verify::VerifyReport& report) {
+    if (report.carve_seconds == 0.0) return phrase("nothing was carved");
+    const std::string pulses = count_text(report.max_deviation_pulses);
+    return report.is_cut ? phrase("%1 pulses, of what was carved", pulses) : phrase("%1 pulses", pulses);
+}
+
+Phrase carve_time_phrase(const verify::VerifyReport& report) {
+    if (report.carve_seconds == 0.0) return phrase("nothing was carved");
+    const std::string time = clock_text(report.carve_seconds);
+    return report.is_complete ? phrase("%1", time) : phrase("%1, not finished", time);
 }
 
 }  // namespace
@@ -81,27 +94,32 @@ void TraceJudge::judge(const std::string& path, std::shared_ptr<const cam::Prepa
                                          : phrase("Judged by the job that the trace carries"));
             const bool is_good = done->report.ok;
             log_.add(is_good ? Severity::info : Severity::warning,
-                     is_good ? phrase("Verified: the pins carve the job, largest deviation %1 pulses",
-                                      std::to_string(done->report.max_deviation_pulses))
-                             : phrase("Verification found a difference"));
+                     is_good ? verified_phrase(done->report) : phrase("Verification found a difference"));
         };
     });
 }
 
+Phrase verified_phrase(const verify::VerifyReport& report) {
+    if (report.is_dry) return phrase("Verified: the pulses of a dry run, which carves nothing");
+    const std::string pulses = std::to_string(report.max_deviation_pulses);
+    return report.is_cut ? phrase("Verified as far as it was recorded, largest deviation %1 pulses", pulses)
+                         : phrase("Verified: the pins carve the job, largest deviation %1 pulses", pulses);
+}
+
 std::vector<VerdictRow> verdict_rows(const verify::VerifyReport& report) {
     const verify::Offence* const first = report.first_offence();
-    std::vector<VerdictRow> rows{
-        {phrase("Verified"), report.ok ? phrase("yes") : phrase("NO")},
-        {phrase("Judged"), judged_part(report)},
-        {phrase("Points visited"),
-         phrase("%1 of %2", counted(report.points_visited), counted(report.points_total))},
-        {phrase("Largest deviation"), phrase("%1 pulses", count_text(report.max_deviation_pulses))},
-        {phrase("Surface that no tip reached"), phrase("%1 cells", counted(report.uncarved_cells))},
-        {phrase("Carving time"), phrase("%1", clock_text(report.carve_seconds))}};
+    std::vector<VerdictRow> rows{{phrase("Verified"), report.ok ? phrase("yes") : phrase("NO")},
+                                 {phrase("Judged"), judged_part(report)}};
+    if (report.is_cut) rows.push_back({phrase("Judged up to"), phrase("where it was recorded")});
+    rows.insert(rows.end(),
+                {{phrase("Points visited"),
+                  phrase("%1 of %2", counted(report.points_visited), counted(report.points_total))},
+                 {phrase("Largest deviation"), deviation_phrase(report)},
+                 {phrase("Surface that no tip reached"), phrase("%1 cells", counted(report.uncarved_cells))},
+                 {phrase("Carving time"), carve_time_phrase(report)}});
     for (const Axis axis : kAllAxes)
         rows.push_back({phrase("Pulses of %1", axis_letter(axis)),
                         phrase("%1", counted(report.pulses[index_of(axis)]))});
-    if (report.is_cut) rows.push_back({phrase("Judged up to"), phrase("where it was recorded")});
     if (first != nullptr) rows.push_back({phrase("First difference"), phrase("%1", first->sentence)});
     return rows;
 }

@@ -53,6 +53,9 @@ struct VerdictRow {
     Phrase name;
     Phrase value;
 };
+/// That it is verified, and how far; for reports that are.
+Phrase verified_phrase(const verify::VerifyReport& report);
+
 std::vector<VerdictRow> verdict_rows(const verify::VerifyReport& report);
 
 }  // namespace psicarve::session

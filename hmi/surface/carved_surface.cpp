@@ -45,7 +45,14 @@ double CarvedSurface::height_mm(std::uint32_t layer, std::uint32_t direction) co
 }
 
 void CarvedSurface::note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept {
-    std::int16_t& kept = deviation_[std::size_t{layer} * direction_count() + cell];
+    note_passed(layer, cell, pulses);
+    reached_[std::size_t{layer} * direction_count() + cell] |= kCarved;
+}
+
+void CarvedSurface::note_passed(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept {
+    const std::size_t index = std::size_t{layer} * direction_count() + cell;
+    std::int16_t& kept = deviation_[index];
+    if (pulses < 0) reached_[index] |= kCarved;
     if (kept == kWithoutPoint && pulses >= 0) return;  // no point of the job is here
     const std::int64_t bounded = std::clamp<std::int64_t>(pulses, -kLargest, kLargest);
     if (bounded < kept) kept = static_cast<std::int16_t>(bounded);
@@ -55,17 +62,31 @@ std::int32_t CarvedSurface::deviation_pulses(std::uint32_t layer, std::uint32_t 
     const std::size_t index = std::size_t{layer} * direction_count() + direction;
     const std::int16_t kept = deviation_[index];
     if (kept != kUntouched && kept != kWithoutPoint) return kept;
-    if (kept == kWithoutPoint && reached_[index] != 0) return 0;  // swept between two points
+    if (kept == kWithoutPoint && (reached_[index] & kReached) != 0) return 0;  // swept between two points
     const auto wanted_mm = geometry_.wanted_mm(layer, geometry_.direction_of(direction));
     if (!wanted_mm) return 0;
     return static_cast<std::int32_t>(round_to_pulse((blank_radius_mm() - *wanted_mm) * pulses_per_mm()));
 }
 
+bool CarvedSurface::is_carved(std::uint32_t layer, std::uint32_t direction) const noexcept {
+    const std::size_t index = std::size_t{layer} * direction_count() + direction;
+    return (reached_[index] & (deviation_[index] == kWithoutPoint ? kReached : kCarved)) != 0;
+}
+
 std::int64_t CarvedSurface::max_deviation_pulses() const noexcept {
+    return largest_deviation_pulses(false);
+}
+
+std::int64_t CarvedSurface::max_carved_deviation_pulses() const noexcept {
+    return largest_deviation_pulses(true);
+}
+
+std::int64_t CarvedSurface::largest_deviation_pulses(bool of_carved_alone) const noexcept {
     std::int64_t largest = 0;
     for (std::uint32_t layer = 0; layer < layer_count(); ++layer) {
         for (std::uint32_t direction = 0; direction < direction_count(); ++direction) {
             if (deviation_[std::size_t{layer} * direction_count() + direction] == kWithoutPoint) continue;
+            if (of_carved_alone && !is_carved(layer, direction)) continue;
             largest = std::max<std::int64_t>(largest, std::abs(deviation_pulses(layer, direction)));
         }
     }
@@ -73,7 +94,8 @@ std::int64_t CarvedSurface::max_deviation_pulses() const noexcept {
 }
 
 std::uint64_t CarvedSurface::uncarved_cells() const noexcept {
-    return static_cast<std::uint64_t>(std::count(reached_.begin(), reached_.end(), std::uint8_t{0}));
+    const auto is_unreached = [](std::uint8_t cell) { return (cell & kReached) == 0; };
+    return static_cast<std::uint64_t>(std::count_if(reached_.begin(), reached_.end(), is_unreached));
 }
 
 void CarvedSurface::clear() {

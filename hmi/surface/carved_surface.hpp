@@ -40,6 +40,11 @@ public:
     /// The largest of these, without its sign, among the cells that hold a point of the job or were cut too
     /// deep.
     std::int64_t max_deviation_pulses() const noexcept;
+    /// The same among those of them that were carved, or cut too deep.
+    std::int64_t max_carved_deviation_pulses() const noexcept;
+    /// Whether a point here was carved or missed, or the cell was cut too deep; without a point, whether a
+    /// tip was here at all.
+    bool is_carved(std::uint32_t layer, std::uint32_t direction) const noexcept;
     /// Cells that no tip reached. R2's errors of angle and height leave such cells in a complete carving.
     std::uint64_t uncarved_cells() const noexcept;
 
@@ -50,7 +55,7 @@ public:
         const std::size_t index = std::size_t{layer} * direction_count() + cell;
         float& radius = radius_mm_[index];
         if (radius_mm < radius) radius = radius_mm;
-        reached_[index] = 1;
+        reached_[index] |= kReached;
         is_touched_ = true;
     }
     /// For code that shows an earlier state again: sets the cell as it was then.
@@ -60,6 +65,8 @@ public:
     }
     /// Notes how far from the wanted radius a tip came at a point; the deepest stays.
     void note_deviation(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept;
+    /// The same of a tip that only came by: unless it cut too deep the point is not carved.
+    void note_passed(std::uint32_t layer, std::uint32_t cell, std::int64_t pulses) noexcept;
     /// Makes it a fresh blank.
     void clear();
 
@@ -67,8 +74,11 @@ private:
     static constexpr std::int16_t kUntouched = 32767;
     static constexpr std::int16_t kWithoutPoint = 32766;  ///< no point of the job lies in this cell
     static constexpr std::int16_t kLargest = 32765;
+    static constexpr std::uint8_t kReached = 1;  ///< bits of `reached_`
+    static constexpr std::uint8_t kCarved = 2;
 
     void expect_points();
+    std::int64_t largest_deviation_pulses(bool of_carved_alone) const noexcept;
 
     JobGeometry geometry_;
     bool is_touched_ = false;

@@ -492,6 +492,10 @@
             <translation>сосчитано импульсов: %1; имитируемый станок стоит на %2</translation>
         </message>
         <message>
+            <source>%1 pulses, of what was carved</source>
+            <translation>импульсов: %1, у вырезанного</translation>
+        </message>
+        <message>
             <source>%1 radii, but the layers before have %2</source>
             <translation>радиусов %1, а в предыдущих слоях их %2</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>%1, not checked</source>
             <translation>%1, не проверено</translation>
+        </message>
+        <message>
+            <source>%1, not finished</source>
+            <translation>%1, не закончено</translation>
         </message>
         <message>
             <source>%1, of another run</source>
@@ -5705,8 +5713,16 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Проверено</translation>
         </message>
         <message>
+            <source>Verified as far as it was recorded, largest deviation %1 pulses</source>
+            <translation>Сверено до конца записи, наибольшее отклонение %1 имп.</translation>
+        </message>
+        <message>
             <source>Verified: the pins carve the job, largest deviation %1 pulses</source>
             <translation>Сверено: выводы режут задание, наибольшее отклонение %1 имп.</translation>
+        </message>
+        <message>
+            <source>Verified: the pulses of a dry run, which carves nothing</source>
+            <translation>Сверено: импульсы холостого прогона, он ничего не режет</translation>
         </message>
         <message>
             <source>Verify</source>
@@ -7915,6 +7931,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>ничего, что здесь читается: сетки (STL, OBJ, PLY, 3MF, OFF), чертежа (SVG, DXF), изображения (PNG, JPEG, TIFF, BMP, PGM) или таблицы (CSV)</translation>
         </message>
         <message>
+            <source>nothing was carved</source>
+            <translation>ничего не вырезано</translation>
+        </message>
+        <message>
             <source>nothing was carved yet</source>
             <translation>ещё ничего не вырезано</translation>
         </message>
@@ -8709,6 +8729,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>the guard process ended; start the core again</source>
             <translation>сторожевой процесс завершился; запустите ядро снова</translation>
+        </message>
+        <message>
+            <source>the job from its begin</source>
+            <translation>задание с начала</translation>
         </message>
         <message>
             <source>the job has no such layer</source>

@@ -492,6 +492,10 @@
             <translation>已计 %1 个脉冲；仿真机床位于 %2</translation>
         </message>
         <message>
+            <source>%1 pulses, of what was carved</source>
+            <translation>%1 脉冲（已雕刻的部分）</translation>
+        </message>
+        <message>
             <source>%1 radii, but the layers before have %2</source>
             <translation>有 %1 个半径，而前面各层有 %2 个</translation>
         </message>
@@ -666,6 +670,10 @@
         <message>
             <source>%1, not checked</source>
             <translation>%1，未核对</translation>
+        </message>
+        <message>
+            <source>%1, not finished</source>
+            <translation>%1，未完成</translation>
         </message>
         <message>
             <source>%1, of another run</source>
@@ -5700,8 +5708,16 @@ N、Shift+N  下一条、上一条记录
             <translation>已校验</translation>
         </message>
         <message>
+            <source>Verified as far as it was recorded, largest deviation %1 pulses</source>
+            <translation>已校验到记录末尾，最大偏差 %1 个脉冲</translation>
+        </message>
+        <message>
             <source>Verified: the pins carve the job, largest deviation %1 pulses</source>
             <translation>已校验：引脚雕出该任务，最大偏差 %1 个脉冲</translation>
+        </message>
+        <message>
+            <source>Verified: the pulses of a dry run, which carves nothing</source>
+            <translation>已校验：空运行的脉冲，空运行不雕刻</translation>
         </message>
         <message>
             <source>Verify</source>
@@ -7908,6 +7924,10 @@ N、Shift+N  下一条、上一条记录
             <translation>无法读取的文件：可读取网格（STL、OBJ、PLY、3MF、OFF）、图纸（SVG、DXF）、图片（PNG、JPEG、TIFF、BMP、PGM）或表格（CSV）</translation>
         </message>
         <message>
+            <source>nothing was carved</source>
+            <translation>没有雕刻任何部分</translation>
+        </message>
+        <message>
             <source>nothing was carved yet</source>
             <translation>尚未雕刻任何内容</translation>
         </message>
@@ -8702,6 +8722,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>the guard process ended; start the core again</source>
             <translation>看护进程已结束；请重新启动内核</translation>
+        </message>
+        <message>
+            <source>the job from its begin</source>
+            <translation>从开头起的作业</translation>
         </message>
         <message>
             <source>the job has no such layer</source>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/verify/carve_times.hpp"
 
+#include <algorithm>
+
 #include "shared/base/units.hpp"
 
 namespace psicarve::verify {
@@ -8,6 +10,11 @@ namespace psicarve::verify {
 double CarveTimes::carve_seconds() const noexcept {
     // Of an attempt that missed all further points nothing was reached since.
     return has_left_ && arrived_ns_ > left_ns_ ? seconds_from_ns(arrived_ns_ - left_ns_) : 0.0;
+}
+
+double CarveTimes::seconds_so_far() const noexcept {
+    const std::int64_t last_ns = std::max(arrived_ns_, gone_ns_);
+    return has_left_ && last_ns > left_ns_ ? seconds_from_ns(last_ns - left_ns_) : 0.0;
 }
 
 std::vector<PassTime> CarveTimes::pass_times(const JobView& job) const {

@@ -271,7 +271,7 @@ void JobFollower::touch_head(std::size_t h, std::int64_t time_ns, const Position
     if (!tip->off_pulses) return;
     const std::int64_t too_deep_pulses = tip->too_deep_pulses;
     if (tip->row && (*tip->off_pulses >= 0 || too_deep_pulses > 0))
-        painter_.note_deviation(*tip->row, tip->cell, *tip->off_pulses);
+        painter_.note_passed(*tip->row, tip->cell, *tip->off_pulses);
     if (!findings_.goes_too_deep(h, too_deep_pulses)) return;
     const auto row = geometry_.row_at(at[kY], geometry_.direction(h, at[kPsi]));
     const auto layer = row ? std::optional(geometry_.first_row_layer() + *row) : std::nullopt;

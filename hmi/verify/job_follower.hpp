@@ -68,6 +68,7 @@ public:
     const CarveProgress& progress() const noexcept { return progress_; }
     CarveProgress& progress() noexcept { return progress_; }
     const CarveTimes& times() const noexcept { return times_; }
+    CarveTimes& times() noexcept { return times_; }
     PendingFindings& findings() noexcept { return findings_; }
     const PendingFindings& findings() const noexcept { return findings_; }
     PointWay& way() noexcept { return way_; }

@@ -47,6 +47,7 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
     const bool begins = ran && may_begin(positions) && begin_attempt(time_ns, positions);
     follower_.findings().set_outward(is_outward(positions));
     if (!begins) follow(time_ns, positions, ran);
+    note_way(time_ns, positions);
     count_left_out(positions);
     end_behind_judged_layers();
     last_ = positions;
@@ -60,6 +61,12 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
 void PathRule::follow(std::int64_t time_ns, const Positions& positions, bool spindle_on) {
     if (follower_.phase() == Phase::approach) return follow_approach(time_ns, positions, spindle_on);
     follower_.follow(time_ns, in_jobs_count(positions), positions[kPsi] != last_[kPsi]);
+}
+
+/// The retraction is no part of the way, and it alone only leads outward.
+void PathRule::note_way(std::int64_t time_ns, const Positions& positions) {
+    const bool is_on_its_way = follower_.phase() == Phase::segment || follower_.phase() == Phase::link;
+    if (is_on_its_way && !is_outward(positions)) follower_.times().go(time_ns);
 }
 
 void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
@@ -203,9 +210,15 @@ void PathRule::end_behind_judged_layers() {
 
 void PathRule::end_attempt(std::int64_t time_ns) {
     // It went in and no further: nothing was carved anew, and what was carved before is so still.
-    if (has_only_gone_in() && attempt_.goes_on) follower_.progress().restore(before_.follower.progress);
-    end_.is_complete = follower_.phase() == Phase::done;
-    if (!end_.is_complete) end_ = {follower_.place(), time_ns, follower_.way().nearest(), false};
+    const bool is_none = has_only_gone_in() && attempt_.goes_on;
+    if (is_none) follower_.progress().restore(before_.follower.progress);
+    if (is_none && follower_.times().seconds_so_far() == 0.0) follower_.times() = before_.follower.times;
+    if (is_none && before_.end.is_complete) {
+        end_ = before_.end;
+    } else {
+        end_.is_complete = follower_.phase() == Phase::done;
+        if (!end_.is_complete) end_ = {follower_.place(), time_ns, follower_.way().nearest(), false};
+    }
     follower_.end(attempt_.psi_offset);
     ledger_.end();
 }

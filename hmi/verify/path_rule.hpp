@@ -51,7 +51,11 @@ public:
     const CarvePlace& place() const noexcept { return follower_.place(); }
     std::uint64_t points_visited() const noexcept { return follower_.progress().points(); }
     LineExtent line_extent() const noexcept { return follower_.findings().line_extent(); }
-    double carve_seconds() const noexcept { return is_complete() ? follower_.times().carve_seconds() : 0.0; }
+    double carve_seconds() const noexcept {
+        return is_complete() ? follower_.times().carve_seconds() : follower_.times().seconds_so_far();
+    }
+    /// The last attempt came to the last point.
+    bool is_complete() const noexcept { return end_.is_complete; }
     /// For a job of several passes whose carving is complete.
     std::vector<PassTime> pass_times() const;
 
@@ -86,7 +90,6 @@ private:
         End end;
     };
 
-    bool is_complete() const noexcept { return end_.is_complete; }
     Positions in_jobs_count(Positions positions) const noexcept;
     bool is_outward(const Positions& positions) const noexcept;
     bool has_only_gone_in() const noexcept;
@@ -100,6 +103,7 @@ private:
     void count_left_out(const Positions& positions);
     void restore_before();
     void follow(std::int64_t time_ns, const Positions& positions, bool spindle_on);
+    void note_way(std::int64_t time_ns, const Positions& positions);
     void follow_approach(std::int64_t time_ns, const Positions& positions, bool spindle_on);
     void leave_first_point(std::int64_t time_ns, const Positions& positions);
     void end_attempt(std::int64_t time_ns);

@@ -150,17 +150,19 @@ VerifyReport Verifier::finish() {
     report.first_layer = s.geometry.first_layer();
     report.layer_count = s.layer_count();
     report.is_whole_job = s.is_whole_job();
-    report.max_deviation_pulses = s.surface.max_deviation_pulses();
     report.uncarved_cells = s.surface.uncarved_cells();
     const LineExtent line = s.path.line_extent();
     report.max_line_deviation_mm = line.mm;
     report.max_line_deviation_pulses = line.pulses;
     report.carve_seconds = s.path.carve_seconds();
+    report.is_complete = s.path.is_complete();
     report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();
     report.first_point = s.asked.layers.first_point;
     judge_as_asked(report, s.asked, s.spun_ns);
+    report.max_deviation_pulses = report.is_of_carved_alone() ? s.surface.max_carved_deviation_pulses()
+                                                              : s.surface.max_deviation_pulses();
     report.ok =
         report.first_offence() == nullptr && (report.is_cut || report.points_visited == report.points_total);
     return report;

@@ -45,6 +45,11 @@ std::string layers_text(const VerifyReport& report) {
     return " in layers " + std::to_string(report.first_layer) + " to " + std::to_string(last);
 }
 
+std::string carved_text(const VerifyReport& report) {
+    if (report.carve_seconds == 0.0) return "nothing was carved";
+    return (report.is_complete ? "carved in " : "carved for ") + shown_number(report.carve_seconds) + " s";
+}
+
 }  // namespace
 
 std::string judged_text(const VerifyReport& report) {
@@ -106,7 +111,7 @@ std::string report_json(const VerifyReport& report) {
     json["uncarved_cells"] = report.uncarved_cells;
     json["max_line_deviation_mm"] = report.max_line_deviation_mm;
     json["max_line_deviation_pulses"] = report.max_line_deviation_pulses;
-    json["carve_seconds"] = report.carve_seconds;
+    json["carve_seconds"] = report.carve_seconds > 0.0 ? Json(report.carve_seconds) : Json(nullptr);
     json["trace_seconds"] = report.trace_seconds;
     json["events"] = report.events;
     for (const PassTime& pass : report.passes)
@@ -130,7 +135,7 @@ std::string report_text(const VerifyReport& report) {
     for (const PassTime& pass : report.passes)
         text += "  " + pass.name + ": " + std::to_string(pass.layers) + " layers in " +
                 shown_number(pass.seconds) + " s\n";
-    text += "  carved in " + shown_number(report.carve_seconds) + " s; pulses";
+    text += "  " + carved_text(report) + "; pulses";
     for (const Axis axis : kAllAxes)
         text += " " + shown_name(axis) + " " + std::to_string(report.pulses[index_of(axis)]);
     return text + "\n";

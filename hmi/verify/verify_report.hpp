@@ -69,18 +69,22 @@ struct VerifyReport {
     std::optional<std::uint32_t> first_point;  ///< of the first layer, where it was to begin within it
     bool is_cut = false;                       ///< it may end where it does, and is judged up to there
     bool is_dry = false;                       ///< dry runs alone: rule 1 is not judged
-    /// Largest difference between carved and wanted radius at those points after all motion of the trace.
+    bool is_complete = false;                  ///< the last attempt came to the last point
+    /// Largest difference between carved and wanted radius at those points after all motion of the trace; of
+    /// a carving that was cut short, at those that were carved.
     std::int64_t max_deviation_pulses = 0;
     std::uint64_t uncarved_cells = 0;        ///< of the surface, that no tip reached
     double max_line_deviation_mm = 0.0;      ///< largest distance from the straight line between two points
     double max_line_deviation_pulses = 0.0;  ///< the largest in pulses across the line (another place, maybe)
-    /// From leaving the first point to reaching the last; where the carving went on from a layer, of the last
-    /// attempt; 0: neither.
+    /// From leaving the first point to reaching the last, or to the last pulse on the path where it was not
+    /// reached; where the carving went on from a layer or point, of the last attempt; 0: nothing was carved.
     double carve_seconds = 0.0;
     double trace_seconds = 0.0;
     std::uint64_t events = 0;
     std::vector<PassTime> passes;  ///< none: the job has but one, or was not carved to its end
 
+    /// Only a part of the surface was to be carved, nobody knows which: what is left of it is no deviation.
+    bool is_of_carved_alone() const noexcept { return is_cut || is_dry; }
     const Offence* first_offence() const noexcept { return first_offence_of(rules); }
 };
 

@@ -44,6 +44,7 @@ TEST_F(ReplayRange, OfLayersIsJudgedByThem) {
     EXPECT_NE(text.out.find("verified   yes: 18 points visited exactly in layers 1 to 2, largest"),
               std::string::npos)
         << text.out;
+    EXPECT_EQ(text.out.find("not finished"), std::string::npos) << text.out;
     const Outcome named = run({"verify", file("a.snap"), file("a.trace")});
     EXPECT_EQ(named.exit_code, 0) << named.out << named.error;
     EXPECT_EQ(run({"verify", file("a.snap"), file("a.trace"), "--layers", "3"}).exit_code, 6)
@@ -89,8 +90,15 @@ TEST_F(ReplayRange, OfOneThatWasStoppedIsJudgedAsFarAsItWasRecorded) {
     ASSERT_LT(at.points_done, at.points_total) << "it was carved before it could be stopped";
     const Outcome outcome = replayed();
     expect_judged(outcome, 2, kLongLayers - 2, static_cast<std::uint32_t>(at.points_done) - 2 * kLongPoints);
-    EXPECT_EQ(outcome.json()["verification"]["cut_short"], true);
-    EXPECT_NE(replayed({}).out.find("up to where it was recorded"), std::string::npos);
+    const auto report = outcome.json();
+    EXPECT_EQ(report["verification"]["cut_short"], true);
+    EXPECT_EQ(report["max_deviation_pulses"], 0);
+    EXPECT_EQ(report["carve_seconds"], nullptr) << "the last point was not reached";
+    EXPECT_GT(report["verification"]["carve_seconds"].get<double>(), 0.0);
+    const std::string text = replayed({}).out;
+    EXPECT_NE(text.find("up to where it was recorded, largest deviation 0 pulses"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("carving    not finished: "), std::string::npos) << text;
     carve({"--from-layer", std::to_string(at.layer), "--from-point", std::to_string(at.point), "--layers",
            "2"});
     const Outcome both = replayed();

@@ -37,6 +37,10 @@ public:
     void note_deviation(std::uint32_t row, std::uint32_t cell, std::int64_t pulses) noexcept {
         if (surface_ != nullptr) surface_->note_deviation(row, cell, pulses);
     }
+    /// A tip that carves nothing here came so near to the wanted radius.
+    void note_passed(std::uint32_t row, std::uint32_t cell, std::int64_t pulses) noexcept {
+        if (surface_ != nullptr) surface_->note_passed(row, cell, pulses);
+    }
 
 private:
     struct Head {

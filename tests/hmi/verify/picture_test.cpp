@@ -3,6 +3,7 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -131,6 +132,23 @@ TEST(DeviationMap, ShowsASingleStrayCellOfManyInItsColour) {
     for (const std::uint32_t pixel : map.argb) blue += (pixel & 0xFFU) > (pixel >> 16U & 0xFFU) + 40U ? 1 : 0;
     EXPECT_EQ(blue, 1U);
     EXPECT_GT(map.argb[49 * 100 + 50] & 0xFFU, (map.argb[49 * 100 + 50] >> 16U & 0xFFU) + 40U);
+}
+
+TEST(DeviationMap, OfACarvingThatWasCutShortLeavesTheRestWithoutColour) {
+    const SampleJob job = wavy_job(Joining::continuous, 4, 21);
+    const auto geometry = JobGeometry::make(job.view(), job.profile);
+    CarvedSurface surface(*geometry);
+    for (std::uint32_t d = 0; d < surface.direction_count(); ++d) surface.note_deviation(0, d, 0);
+    surface.note_passed(1, 0, 50);
+    const auto is_red = [](std::uint32_t pixel) { return (pixel >> 16U & 0xFFU) > (pixel & 0xFFU) + 40U; };
+    const auto is_pale = [](std::uint32_t pixel) {
+        return (pixel >> 16U & 0xFFU) > 200U && !((pixel & 0xFFU) < 180U);
+    };
+    const PixelImage whole = draw_deviation_map(surface, DeviationScale(1), 40, 4);
+    const PixelImage carved = draw_deviation_map(surface, DeviationScale(1), 40, 4, false);
+    EXPECT_GT(std::count_if(whole.argb.begin(), whole.argb.end(), is_red), 100);
+    EXPECT_EQ(std::count_if(carved.argb.begin(), carved.argb.end(), is_red), 0);
+    EXPECT_EQ(std::count_if(carved.argb.begin(), carved.argb.end(), is_pale), 40);
 }
 
 TEST(Canvas, TakesAnyBytesForText) {

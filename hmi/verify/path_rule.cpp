@@ -42,7 +42,7 @@ void PathRule::settle(std::int64_t time_ns, const Positions& positions, bool spi
         log_.restore(1, before_guess_);
         follower_.wait_for(begins_.first());
     }
-    if (follower_.phase() == Phase::done && ran && begins_.is_first(positions)) end_attempt(time_ns);
+    if (ran && begins_again(positions)) end_attempt(time_ns);
     if (has_only_passed(positions)) restore_before();
     const bool begins = ran && may_begin(positions) && begin_attempt(time_ns, positions);
     follower_.findings().set_outward(is_outward(positions));
@@ -98,14 +98,32 @@ bool PathRule::may_begin(const Positions& positions) const noexcept {
     return has_only_gone_in() && in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi];
 }
 
+bool PathRule::goes_in(const Positions& positions) const noexcept {
+    const bool rests = positions[kPsi] == last_[kPsi] && positions[kY] == last_[kY];
+    return rests && positions != last_ && positions[0] <= last_[0] && positions[1] <= last_[1];
+}
+
+/// Where layers of two passes begin at one place, and one of them is not judged, that one may have been taken
+/// for the other: the judged one begins when heads go in there again.
+bool PathRule::begins_again(const Positions& positions) {
+    if (follower_.phase() == Phase::approach) return false;
+    const bool is_done = follower_.phase() == Phase::done;
+    if (is_done && begins_.is_first(positions)) return true;
+    if (!begins_.are_shared() || has_only_gone_in() || !goes_in(positions)) return false;
+    return begins_.is_first(positions) || (is_done && begins_.layer_at(positions, due_layer()));
+}
+
+/// What was passed is behind, reached or not.
+std::uint32_t PathRule::due_layer() const noexcept {
+    return is_complete() ? geometry_.end_layer() : follower_.progress().due_layer();
+}
+
 /// The point with which carving begins or goes on where the axes stand.
 std::optional<CarvePoint> PathRule::begin_at(const Positions& positions) {
-    if (const auto layer = begins_.layer_at(positions, follower_.progress()))
+    if (const auto layer = begins_.layer_at(positions, due_layer()))
         return CarvePoint{*layer, geometry_.first_step(*layer)};
-    const bool rests = positions[kPsi] == last_[kPsi] && positions[kY] == last_[kY];
-    const bool goes_in = rests && positions != last_ && positions[0] <= last_[0] && positions[1] <= last_[1];
-    if (!goes_in || has_turned_ || is_elsewhere_) return std::nullopt;
-    return begins_.point_at(positions, follower_.progress());
+    if (!goes_in(positions) || has_turned_ || is_elsewhere_) return std::nullopt;
+    return begins_.point_at(positions, due_layer());
 }
 
 bool PathRule::is_judged(CarvePoint begin) const noexcept {

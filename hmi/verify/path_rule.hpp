@@ -95,6 +95,9 @@ private:
     bool has_only_gone_in() const noexcept;
     bool has_only_passed(const Positions& positions) const noexcept;
     bool may_begin(const Positions& positions) const noexcept;
+    bool begins_again(const Positions& positions);
+    bool goes_in(const Positions& positions) const noexcept;
+    std::uint32_t due_layer() const noexcept;
     std::optional<CarvePoint> begin_at(const Positions& positions);
     bool is_judged(CarvePoint begin) const noexcept;
     bool begin_attempt(std::int64_t time_ns, const Positions& positions);

@@ -91,12 +91,12 @@ TEST_F(CarvingBeginsTest, FindsALayersFirstPointUpToWholeTurns) {
         for (const std::int64_t turns : {-2, 0, 3}) {
             Positions at = geometry_.target(layer, 0);
             at[kPsi] += turns * geometry_.rev_pulses();
-            EXPECT_EQ(begins.layer_at(at, progress), layer);
+            EXPECT_EQ(begins.layer_at(at, progress.due_layer()), layer);
             EXPECT_EQ(begins.is_first(at), layer == 0);
             for (std::size_t k = 0; k < kAxisCount; ++k) {
                 Positions beside = at;
                 ++beside[k];
-                EXPECT_EQ(begins.layer_at(beside, progress), std::nullopt) << "axis " << k;
+                EXPECT_EQ(begins.layer_at(beside, progress.due_layer()), std::nullopt) << "axis " << k;
             }
         }
     }
@@ -107,14 +107,14 @@ TEST_F(CarvingBeginsTest, FindsEveryPointOfALayerButTheLast) {
     const CarveProgress progress(geometry_);
     for (std::uint32_t step = 0; step < kPartPoints; ++step) {
         const Positions at = geometry_.target(2, step);
-        const auto found = begins.point_at(at, progress);
+        const auto found = begins.point_at(at, progress.due_layer());
         EXPECT_EQ(found.has_value(), step + 1 < kPartPoints) << "step " << step;
         if (found) {
             EXPECT_EQ(*found, (CarvePoint{2, step}));
         }
         Positions beside = at;
         ++beside[0];
-        EXPECT_FALSE(begins.point_at(beside, progress)) << "step " << step;
+        EXPECT_FALSE(begins.point_at(beside, progress.due_layer())) << "step " << step;
     }
 }
 

@@ -77,7 +77,7 @@ Result<void> tell_start(const GcodeRunOptions& options, const Profile& profile,
 Result<void> require_unchanged(machine::MachineLink& link, const CoreStatus& told) {
     const auto now = link.status();
     if (!now) return now.error();
-    if (const auto ready = require_ready(*now); !ready) return ready;
+    if (const auto ready = require_ready(link.segment(), *now); !ready) return ready;
     const bool is_same = std::ranges::equal(now->position_pulses, told.position_pulses) &&
                          ((now->signals ^ told.signals) & bit_of(Signal::spindle)) == 0;
     if (is_same) return {};
@@ -133,7 +133,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
                      const PinsWork& work) {
     const auto status = link.status();
     if (!status) return status.error();
-    if (const auto ready = require_ready(*status); !ready) return ready.error();
+    if (const auto ready = require_ready(link.segment(), *status); !ready) return ready.error();
     if (const auto off = require_spindle_off(options, *status); !off) return off.error();
     if (const auto alike = require_heads_alike(profile, *status); !alike) return alike.error();
     const gcode::InterpreterOptions how = language_of(options, profile, *status, offsets.begin());

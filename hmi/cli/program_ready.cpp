@@ -9,6 +9,7 @@
 
 #include "hmi/cli/job_source.hpp"
 #include "hmi/cli/motion_command.hpp"
+#include "hmi/cli/program_sight.hpp"
 #include "hmi/gcode/axis_letters.hpp"
 #include "hmi/machine/core_profile.hpp"
 #include "shared/machine/message_argument.hpp"
@@ -51,13 +52,18 @@ Result<Profile> profile_of_core(const machine::MachineLink& link, const CommonOp
                                                  "; name the one that it was started with: --profile FILE"};
 }
 
-Result<void> require_ready(const CoreStatus& status) {
+Result<void> require_ready(const Segment& segment, const CoreStatus& status) {
     if (status.state == MachineState::ready) return {};
     if (status.state == MachineState::off)
         return error_from(ErrorCode::machine_refused, message_of(MessageId::not_homed));
     if (status.state == MachineState::alarm) return machine::alarm_error(status);
+    if (has_living_writer(segment))
+        return error_from(
+            ErrorCode::machine_refused,
+            message_of(MessageId::program_has_writer, count_argument(program_report(segment).writer_pid)));
     return error_from(ErrorCode::machine_refused,
-                      message_of(MessageId::busy_for_a_job, argument_of(status.state)));
+                      message_of(MessageId::wrong_state, argument_of(CommandKind::program),
+                                 argument_of(status.state), way_out_of(status.state)));
 }
 
 Result<void> require_heads_alike(const Profile& profile, const CoreStatus& status) {

@@ -19,7 +19,7 @@ namespace psicarve::cli {
 
 /// The core's numbers are pulses, and its limits are its own.
 Result<Profile> profile_of_core(const machine::MachineLink& link, const CommonOptions& common);
-Result<void> require_ready(const CoreStatus& status);
+Result<void> require_ready(const Segment& segment, const CoreStatus& status);
 /// Where one letter moves both heads they must begin alike: the first move would drive R2 where nobody sent
 /// it.
 Result<void> require_heads_alike(const Profile& profile, const CoreStatus& status);

@@ -18,13 +18,13 @@ bool lacks_modes(const ProgramReport& program) {
            !(program.modes && report::is_at_hand(*program.modes, program.status));
 }
 
+}  // namespace
+
 bool has_living_writer(const Segment& segment) {
     const ProgramReport program = program_report(segment);
     return program.writer_pid != 0 &&
            is_process_alive(program.writer_pid, segment.header().program.claim_start_time.load());
 }
-
-}  // namespace
 
 ProgramSight told_sight(ProgramSight sight, const std::function<std::optional<ProgramSight>()>& look_again) {
     for (int look = 0; look < kMostLooks && lacks_modes(sight.program); ++look) {

@@ -16,6 +16,9 @@ struct ProgramSight {
     ProgramReport program{};
 };
 
+/// Whether somebody is writing a program.
+bool has_living_writer(const Segment& segment);
+
 /// Looks again, a few times, until what holds is told of the way at hand. `look_again` takes its time;
 /// nothing: nobody is there who would tell.
 ProgramSight told_sight(ProgramSight sight, const std::function<std::optional<ProgramSight>()>& look_again);

@@ -215,8 +215,15 @@ TEST_F(RunProgram, RefusesASecondWriterAndNamesTheFirst) {
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     const Outcome second = run({"gcode", "run", program("G21 G90\nG0 X45\nM2\n")});
     EXPECT_EQ(second.exit_code, 4);
-    running->send(SIGINT);
+    const std::string first = std::to_string(running->pid());
+    EXPECT_NE(second.error.find("process " + first + " is writing a program"), std::string::npos)
+        << second.error;
+    running->send(SIGKILL);
     running->wait();
+    const Outcome third = run({"gcode", "run", program("G21 G90\nG0 X45\nM2\n")});
+    EXPECT_EQ(third.exit_code, 4);
+    EXPECT_NE(third.error.find("program: not while "), std::string::npos) << third.error;
+    EXPECT_EQ(run({"stop"}).exit_code, 0);
 }
 
 // What the core has is run; then it stands on the path, spindle on, until somebody decides.

@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
-#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -22,11 +20,9 @@ namespace psicarve::gcode {
 /// than for a note. Bounded: where a program has more ways in between, the oldest is forgotten. What holds
 /// there is known all the same, without its end and line, but for where it has changed as often, too.
 ///
-///     ways  | first..last, end | first..last, end | ...      records of one way: an arc's chords
-///     rates | from             | from             | ...      F and S: may change with each way
-///     codes | from                                           where they change, those that held before are
-///     zeros | from                                           often back again: a set of codes is kept once
-///           machine                        program read
+///     ways | from: line, end | from: line, end | ...     records of one way: an arc's chords
+///     held | from: codes, F, S, zeros          | ...     where something changes
+///          machine                         program read
 class ModesTrail {
 public:
     /// `start`: where the machine stands, machine coordinates. `most_ways`: how many are kept, and how
@@ -47,6 +43,8 @@ public:
     /// the last record for which the rest holds. Nothing: it is not known.
     std::optional<ProgramModes> at(std::uint64_t sequence);
     std::size_t way_count() const;
+    /// For all of them, beside the object itself.
+    std::size_t kept_bytes() const;
 
 private:
     struct Mark {
@@ -54,36 +52,25 @@ private:
         ActiveModes modes;
     };
     struct Way {
-        std::uint64_t first;
-        std::uint64_t last;
         std::uint64_t line;
         std::array<double, kAxisCount> end;
     };
-    struct Rates {
-        double feed;
-        double speed_rpm;
-        bool operator==(const Rates&) const = default;
-    };
-    struct Codes {
+    /// Without padding.
+    struct Held {
         std::array<std::int16_t, kShownGCodes> g_codes;
         std::array<std::int16_t, kShownMCodes> m_codes;
         std::int64_t tool;
-        bool operator==(const Codes&) const = default;
-    };
-    struct Zeros {
+        double feed;
+        double speed_rpm;
         double rotation_deg;
         std::array<double, kAxisCount> zero;
-        bool operator==(const Zeros&) const = default;
     };
-    using SharedCodes = std::shared_ptr<const Codes>;
 
-    void add_modes(std::uint64_t first, const ActiveModes& modes);
-    SharedCodes shared_codes(const Codes& codes);
-    Way forgotten_way() const noexcept;
-    ProgramModes shown(const Way& way) const noexcept;
+    Held held_in(const ActiveModes& modes) const noexcept;
+    ProgramModes shown(std::uint64_t last, const Way& way) const;
+    ProgramModes of_forgotten_way() const;
 
     AxisLetters letters_;
-    std::size_t most_ways_;
     // Of the thread that reads:
     ActiveModes modes_;
     std::optional<ActiveModes> first_modes_;
@@ -91,12 +78,10 @@ private:
 
     mutable std::mutex mutex_;  ///< for what follows
     std::array<double, kAxisCount> place_{};
-    std::deque<Way> ways_;
-    ChangeHistory<Rates> rates_;
-    ChangeHistory<SharedCodes> codes_;
-    ChangeHistory<Zeros> zeros_;
-    std::array<SharedCodes, 8> recent_codes_;  ///< different ones, the next to be replaced at `oldest_codes_`
-    std::size_t oldest_codes_ = 0;
+    std::uint64_t last_ = 0;  ///< record that was noted
+    std::uint64_t line_ = 0;  ///< of the newest way
+    ChangeHistory<Way> ways_;
+    ChangeHistory<Held> held_;
 };
 
 }  // namespace psicarve::gcode

@@ -53,6 +53,7 @@ public:
     }
 
     ModesTrail& trail() { return *trail_; }
+    const ModesTrail& trail() const { return *trail_; }
     std::vector<MotionRecord> records;
     int modes_count = 0;
     std::vector<std::pair<std::uint64_t, ActiveModes>> held_from;  ///< all of it, never shortened
@@ -262,6 +263,20 @@ TEST(ModesTrail, KeepsNothingBehindTheMachine) {
     EXPECT_EQ(sut.trail().way_count(), 52U) << "and the one in front";
     ASSERT_TRUE(sut.trail().at(50));
     EXPECT_EQ(sut.trail().way_count(), 2U);
+}
+
+// A ring of 65 536 records and all that the core has taken are some 90 000 ways, and few MB are for them.
+TEST(ModesTrail, KeepsFewBytesOfWaysThatChangeAlmostEverything) {
+    constexpr int kWays = 2000;
+    constexpr std::size_t kMostBytesAWay = 72;
+    std::string text = "G21 G90\nG10 L2 P2 X0.1 Y0.3 Z0.7\nG10 L2 P3 X0.3\nG0 X40 Y5 Z50\n";
+    for (int i = 0; i < kWays; ++i) {
+        text += "G" + std::to_string(i % 2) + " G" + std::to_string(54 + i % 3) + " X40." +
+                std::to_string(i) + "1 Y5." + std::to_string(i) + "3 F" + std::to_string(100 + i) + "\n";
+    }
+    const ReadAhead sut{text + "M2\n", 100'000};
+    ASSERT_GT(sut.trail().way_count(), std::size_t{kWays});
+    EXPECT_LT(sut.trail().kept_bytes(), kMostBytesAWay * sut.trail().way_count());
 }
 
 }  // namespace

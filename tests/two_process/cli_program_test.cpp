@@ -3,10 +3,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +12,7 @@
 #include "tests/places.hpp"
 #include "tests/thoroughness.hpp"
 #include "tests/two_process/cli_machine_rig.hpp"
+#include "tests/two_process/long_programs.hpp"
 
 namespace psicarve::test {
 namespace {
@@ -53,26 +52,6 @@ protected:
         return eventually([&] { return state() == MachineState::held && program_status().hold == hold; });
     }
     std::int64_t pulses(Axis axis) const { return status().position_pulses[index_of(axis)]; }
-    /// Forth and back over many short lines: more than the ring and the core's queue hold.
-    static std::string long_program(int lines) {
-        std::ostringstream text;
-        text << "G21 G90 G94 F600\nG0 X50 Z50 Y10 C0\n";
-        for (int i = 0; i < lines; ++i)
-            text << "G1 X" << 50.0 - 0.01 * (i % 100) << " C" << 0.5 * (i % 40) << "\n";
-        text << "M2\n";
-        return text.str();
-    }
-    /// Many short ways along a curve on which nothing asks for a rest.
-    static std::string dense_program(int lines) {
-        std::ostringstream text;
-        text << "G21 G90 G94 F600\nG0 X50 Z50 Y10 C0\n";
-        for (int i = 0; i < lines; ++i) {
-            text << "G1 X" << 48.0 + 2.0 * std::cos(0.02 * i) << " Y" << 10.0 + 2.0 * std::sin(0.02 * i)
-                 << " C" << 0.1 * i << "\n";
-        }
-        text << "M2\n";
-        return text.str();
-    }
     /// What is written into it is run as it comes.
     std::ofstream begin_stream(const std::string& name) const {
         const std::string pipe = file(name);
@@ -190,7 +169,7 @@ TEST_F(RunProgram, BeginsWithALineAsIfTheOthersHadRun) {
 
 TEST_F(RunProgram, StopsWithItsOperatorAndCanBeRunAgain) {
     start_homed();
-    const auto running = begin({program(long_program(200'000))});
+    const auto running = begin({program(zigzag_program(200'000))});
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving && program_status().line > 3; }));
     running->send(SIGINT);
     EXPECT_EQ(running->wait(), 4) << running->error();
@@ -204,14 +183,14 @@ TEST_F(RunProgram, IsFedThroughARingOfTheSizeThatTheCoreWasAskedFor) {
     const auto segment = Segment::attach(segment_);
     ASSERT_TRUE(segment);
     EXPECT_EQ(segment->header().capacity_records, 64U);
-    const Outcome done = run({"gcode", "run", program(long_program(1000))});
+    const Outcome done = run({"gcode", "run", program(zigzag_program(1000))});
     EXPECT_EQ(done.exit_code, 0) << done.error;
     EXPECT_EQ(program_status().line, 1003U);
 }
 
 TEST_F(RunProgram, RefusesASecondWriterAndNamesTheFirst) {
     start_homed();
-    const auto running = begin({program(long_program(200'000))});
+    const auto running = begin({program(zigzag_program(200'000))});
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving; }));
     const Outcome second = run({"gcode", "run", program("G21 G90\nG0 X45\nM2\n")});
     EXPECT_EQ(second.exit_code, 4);
@@ -229,7 +208,7 @@ TEST_F(RunProgram, RefusesASecondWriterAndNamesTheFirst) {
 // What the core has is run; then it stands on the path, spindle on, until somebody decides.
 TEST_F(RunProgram, HoldsWhereItsReaderWasKilled) {
     start_homed({"--program-ring", kSmallRing});
-    const auto running = begin({program(long_program(400'000))});
+    const auto running = begin({program(zigzag_program(400'000))});
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving && program_status().line > 3; }));
     running->send(SIGKILL);
     running->wait();
@@ -295,7 +274,7 @@ TEST_F(RunProgram, HoldsWhereTheCoreRefusesARecord) {
 // How quickly the reader writes, and whether it is stopped in between, does not show in the pulses.
 TEST_F(RunProgram, GivesTheSamePulsesHoweverItsReaderPauses) {
     const int lines = kIsSanitized ? 9'000 : 30'000;
-    for (const std::string& text : {long_program(lines), dense_program(lines)}) {
+    for (const std::string& text : {zigzag_program(lines), wavy_program(lines)}) {
         const std::string plain = trace_of(text, false);
         EXPECT_GT(plain.size(), 10'000U);
         EXPECT_TRUE(plain == trace_of(text, true));
@@ -323,7 +302,7 @@ TEST_F(RunProgram, ReadsNoFileThatItCouldReadOnlyOnce) {
 // What is changed under it is not run, what was read before is.
 TEST_F(RunProgram, EndsWhereItsFileIsChanged) {
     start_homed({"--program-ring", kSmallRing});
-    const std::string path = program(long_program(400'000));
+    const std::string path = program(zigzag_program(400'000));
     const auto running = begin({path});
     ASSERT_TRUE(eventually([&] { return state() == MachineState::carving && program_status().line > 3; }));
     std::ofstream{path, std::ios::app} << "G0 X60\n";
@@ -364,7 +343,7 @@ TEST_F(RunProgram, IsNotBegunElsewhereThanItWasReadFor) {
 
 // A stream that pauses in the midst of motion: virtual time waits for it, at speed.
 TEST_F(RunProgram, GivesTheSamePulsesHoweverItsBlocksCome) {
-    const std::string text = dense_program(2200);
+    const std::string text = wavy_program(2200);
     std::vector<std::string> traces;
     for (const bool pauses : {false, true}) {
         const std::string trace = file(pauses ? "bursts.trace" : "stream.trace");

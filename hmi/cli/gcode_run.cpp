@@ -250,6 +250,8 @@ Result<bool> is_worth_a_trace(const CommonOptions& common, const GcodeRunOptions
     how.start = how.reference;
     const auto read = read_right_program(options, how, profile, common, operator_break);
     if (!read) return read.error();
+    if (*read && options.from_line > 1 && !(*read)->approach.is_reached)
+        return gcode::ends_before(options.from_line);
     return read->has_value();
 }
 

@@ -15,6 +15,8 @@ namespace {
 void add_pins_figures(RunReport& report, const verify::VerifyReport& seen) {
     report.figures.pulses = seen.pulses;
     if (report.figures.carve_seconds || seen.carve_seconds == 0.0) return;
+    // Of an earlier carving than the last run.
+    if (seen.carve_seconds > report.figures.total_seconds) return;
     (seen.is_complete ? report.figures.carve_seconds : report.seconds_so_far) = seen.carve_seconds;
 }
 

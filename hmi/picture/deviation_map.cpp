@@ -128,8 +128,11 @@ PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale
             if (surface.is_spiral())
                 layers = spiral_layers(surface, directions.first, height_px - 1 - y, height_px);
             const auto pulses = largest_in(surface, layers, directions, shows_rest);
-            const double grey = relief_grey(surface, layers.first, directions.first, layers, directions);
-            image.argb[y * width_px + x] = pixel_of(pulses ? scale.colour(*pulses) : kUncarvedColour, grey);
+            std::uint32_t& pixel = image.argb[y * width_px + x];
+            pixel = pulses
+                        ? pixel_of(scale.colour(*pulses),
+                                   relief_grey(surface, layers.first, directions.first, layers, directions))
+                        : pixel_of(kUncarvedColour, 1.0);
         }
     }
     return image;

@@ -10,8 +10,8 @@
 
 namespace psicarve::verify {
 
-/// Of places that nothing was carved at yet.
-inline constexpr std::array<double, 3> kUncarvedColour{0.62, 0.63, 0.65};
+/// Of places that nothing was carved at yet: darker than a carved one in whatever light.
+inline constexpr std::array<double, 3> kUncarvedColour{0.42, 0.44, 0.48};
 
 /// Colours of deviations: blue too deep, white as wanted, red material left; the scale reaches to the
 /// surface's largest deviation.
@@ -27,7 +27,7 @@ private:
 
 /// The piece unrolled, direction 0 at the left, the highest layer at the top. A pixel shows the largest
 /// deviation among its cells, so that a single stray cut is visible; the relief shines through in grey.
-/// `shows_rest`: what was not carved in the colour of all that it leaves, else in kUncarvedColour.
+/// `shows_rest`: what was not carved in the colour of all that it leaves, else in kUncarvedColour, flat.
 PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale& scale, std::size_t width_px,
                               std::size_t height_px, bool shows_rest = true);
 

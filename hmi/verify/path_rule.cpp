@@ -230,7 +230,8 @@ void PathRule::end_attempt(std::int64_t time_ns) {
     // It went in and no further: nothing was carved anew, and what was carved before is so still.
     const bool is_none = has_only_gone_in() && attempt_.goes_on;
     if (is_none) follower_.progress().restore(before_.follower.progress);
-    if (is_none && follower_.times().seconds_so_far() == 0.0) follower_.times() = before_.follower.times;
+    if (is_none && (before_.end.is_complete || follower_.times().seconds_so_far() == 0.0))
+        follower_.times() = before_.follower.times;
     if (is_none && before_.end.is_complete) {
         end_ = before_.end;
     } else {

@@ -99,6 +99,12 @@ TEST_F(FromLine, IsRefusedBehindTheProgramsEndBeforeAnybodyIsAsked) {
     EXPECT_NE(refused.error.find("the program ends before line 6"), std::string::npos) << refused.error;
     EXPECT_EQ(refused.error_lines(), 1U) << refused.error;
     EXPECT_EQ(run({"gcode", "run", file("p.ngc"), "--from-line", "5", "--unattended"}).exit_code, 0);
+    write("old.vcd", "an older trace");
+    const Outcome simulated = psicarve(
+        {"gcode", "run", file("p.ngc"), "--from-line", "6", "--simulate", "--trace", file("old.vcd")});
+    EXPECT_EQ(simulated.exit_code, 3);
+    EXPECT_EQ(simulated.error_lines(), 1U) << simulated.error;
+    EXPECT_TRUE(text_of(file("old.vcd")) == "an older trace");
 }
 
 TEST_F(FromLine, IsNotBegunWhereTheMachineWasChangedWhileItAsked) {

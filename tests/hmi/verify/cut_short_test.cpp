@@ -110,13 +110,17 @@ TEST(CutShort, BehindACompleteCarvingItTakesNothingBack) {
     PerfectMachine machine(job);
     machine.carve_job();
     const double whole_s = verified(job, machine).carve_seconds;
+    PerfectMachine half_a_way = machine;
     machine.approach(1).finish();
-    for (const bool may_end_early : {true, false}) {
-        const VerifyReport report = judged(job, machine, {.layers = {}, .may_end_early = may_end_early});
-        EXPECT_TRUE(report.ok) << report_text(report);
-        EXPECT_EQ(report.points_visited, report.points_total);
-        EXPECT_DOUBLE_EQ(report.carve_seconds, whole_s);
-        EXPECT_NE(report_text(report).find("  carved in "), std::string::npos) << report_text(report);
+    half_a_way.approach(1).line({0, 0, 100, 0}).finish();
+    for (PerfectMachine* const behind : {&machine, &half_a_way}) {
+        for (const bool may_end_early : {true, false}) {
+            const VerifyReport report = judged(job, *behind, {.layers = {}, .may_end_early = may_end_early});
+            EXPECT_TRUE(report.ok) << report_text(report);
+            EXPECT_EQ(report.points_visited, report.points_total);
+            EXPECT_DOUBLE_EQ(report.carve_seconds, whole_s);
+            EXPECT_NE(report_text(report).find("  carved in "), std::string::npos) << report_text(report);
+        }
     }
 }
 

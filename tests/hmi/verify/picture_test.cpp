@@ -149,6 +149,9 @@ TEST(DeviationMap, OfACarvingThatWasCutShortLeavesTheRestWithoutColour) {
     EXPECT_GT(std::count_if(whole.argb.begin(), whole.argb.end(), is_red), 100);
     EXPECT_EQ(std::count_if(carved.argb.begin(), carved.argb.end(), is_red), 0);
     EXPECT_EQ(std::count_if(carved.argb.begin(), carved.argb.end(), is_pale), 40);
+    // Of one colour, without relief, and darker than what is carved anywhere.
+    EXPECT_EQ(std::count(carved.argb.begin(), carved.argb.end(), carved.argb.front()), 120);
+    EXPECT_LT(carved.argb.front() & 0xFFU, 130U);
 }
 
 TEST(Canvas, TakesAnyBytesForText) {

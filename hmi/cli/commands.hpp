@@ -44,6 +44,7 @@ void add_snapshot_export(CommandSet& commands);
 void add_snapshot_info(CommandSet& commands);
 void add_snapshot_save(CommandSet& commands);
 void add_single(CommandSet& commands);
+void add_optional_stop(CommandSet& commands);
 void add_spindle(CommandSet& commands);
 void add_start(CommandSet& commands);
 void add_start_interpolation(CommandSet& commands);

@@ -85,7 +85,7 @@ Result<ProgramRun> run_once(ProgramCore& core, const GcodeRunOptions& options, c
     ProgramWatch watch{link, operator_break, line_count,
                        [&link](const ProgramReport& report) { go_on(link, report); }};
     watch.keep_quiet("estimating");
-    auto ended = run_program(link, {writer->program(), false, *status}, watch);
+    auto ended = run_program(link, {writer->program(), options.switches(), *status}, watch);
     feeder.give_up();
     feeder.wait();
     if (!ended && operator_break.was_asked())

@@ -190,7 +190,7 @@ Result<int> run_read(machine::MachineLink& link, const CommonOptions& common, co
     ModesTeller teller{feeder.trail(), *writer};
     ProgramWatch watch{link, operator_break, line_count,
                        [&teller](const ProgramReport& report) { teller.follow(report); }};
-    const auto ended = run_program(link, {writer->program(), options.is_single, *status}, watch);
+    const auto ended = run_program(link, {writer->program(), options.switches(), *status}, watch);
     operator_break.let_third_end_us();
     teller.follow(program_report(link.segment()));
     feeder.give_up();
@@ -387,10 +387,12 @@ void add_gcode_run(CommandSet& commands) {
               "On a simulated machine of its own, by the virtual clock, homed before")
         .option("--trace", options->trace, "OUT.vcd", "Record every pin: .vcd, or compact binary")
         .flag("--single", options->is_single, "Hold after each block; psicarve resume goes on")
-        .flag("--optional-stop", options->stops_at_optional, "Hold at M1")
+        .flag("--optional-stop", options->stops_at_optional,
+              "Hold at each M1 until psicarve optional-stop off")
         .flag("--block-delete", options->skips_deleted, "Leave out blocks that begin with /")
         .flag("--dry-run", options->is_dry,
               "Spindle off, heads outside the blank; table and Y go as they would")
+        .flag("--mdi", options->is_typed, "Tell status that FILE is a block that was typed")
         .choice("--dialect", options->dialect, {"ngc", "iso"},
                 "Where controls differ: with iso G70 and G71 are the units (default ngc)");
 }

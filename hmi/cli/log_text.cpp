@@ -137,6 +137,7 @@ std::string program_text(const JournalRecord& record) {
     std::string text = record.what + told(facts, "number", ", no. ") + told(facts, "how", ": ") +
                        told(facts, "line", " at line ");
     if (facts.number("single")) text += ", single block";
+    if (facts.number("optional_stop")) text += ", optional stop";
     const auto waits = facts.number("waits");
     if (waits) text += "; it had to wait for more " + count_text(static_cast<std::uint64_t>(*waits), "time");
     return text + told(facts, "reason", "; ");

@@ -47,6 +47,7 @@ void add_all_commands(CommandSet& commands) {
     add_jog(commands);
     add_move(commands);
     add_single(commands);
+    add_optional_stop(commands);
     add_spindle(commands);
     add_drives_off(commands);
     add_forget(commands);

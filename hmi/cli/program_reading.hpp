@@ -12,6 +12,7 @@
 #include "hmi/gcode/line_source.hpp"
 #include "hmi/gcode/program_check.hpp"
 #include "shared/base/result.hpp"
+#include "shared/machine/command.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/profile/profile.hpp"
 
@@ -26,12 +27,17 @@ struct GcodeRunOptions {
     bool stops_at_optional = false;
     bool skips_deleted = false;
     bool is_dry = false;
+    bool is_typed = false;  ///< a block that an operator typed, in a file
     bool is_simulated = false;
     bool is_confirmed = false;  ///< what a run from a line does first need not be asked
     std::string trace;
     std::optional<gcode::FileState> state{};  ///< of a file, as it is checked, run and judged
 
     bool is_stream() const { return path == "-"; }
+    /// Those that act while it runs, as kProgram... bits.
+    std::uint32_t switches() const {
+        return (is_single ? kProgramIsSingle : 0) | (stops_at_optional ? kProgramStopsAtOptional : 0);
+    }
 };
 
 /// How the program is read. It begins where the machine stands.

@@ -31,7 +31,8 @@ Result<TextSum> sum_of_text(const GcodeRunOptions& options) {
 }
 
 std::uint32_t flags_of(const GcodeRunOptions& options) {
-    std::uint32_t flags = 0;
+    std::uint32_t flags = kSourceHasOptionalStops;
+    if (options.is_typed) flags |= kSourceIsTyped;
     if (options.is_stream()) flags |= kSourceIsStream;
     if (options.stops_at_optional) flags |= kSourceStopsAtOptional;
     if (options.skips_deleted) flags |= kSourceSkipsDeleted;
@@ -41,11 +42,18 @@ std::uint32_t flags_of(const GcodeRunOptions& options) {
     return flags;
 }
 
+/// A longer path would lose its end, which is what tells it; a file's own name is never too long.
+std::string name_that_fits(const std::string& path) {
+    if (path.size() < kSourceNameBytes) return path;
+    return path.substr(path.find_last_of('/') + 1);
+}
+
 gcode::RunOptions steps_of_source(const ProgramSource& source) {
     gcode::RunOptions steps;
     steps.program = source.program;
     steps.from_line = source.from_line;
     steps.stops_at_optional = (source.flags & kSourceStopsAtOptional) != 0;
+    steps.has_optional_stops = (source.flags & kSourceHasOptionalStops) != 0;
     steps.is_dry = (source.flags & kSourceIsDry) != 0;
     return steps;
 }
@@ -85,7 +93,7 @@ Result<void> tell_source(ProgramWriter& writer, const GcodeRunOptions& options, 
     source->flags = flags_of(options);
     std::ranges::copy(status.position_pulses, source->start_pulses.begin());
     source->kept = offsets::source_numbers(offsets);
-    text_into_field(source->name, options.path);
+    text_into_field(source->name, name_that_fits(options.path));
     source->profile_bytes = static_cast<std::uint32_t>(toml.size());
     std::memcpy(source->profile, toml.data(), toml.size());
     if (!options.is_stream()) {

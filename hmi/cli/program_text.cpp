@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hmi/cli/program_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "hmi/cli/progress_bar.hpp"
 #include "hmi/report/message_json.hpp"
 #include "hmi/report/program_modes.hpp"
+#include "hmi/report/program_origin.hpp"
 #include "shared/wording/wording.hpp"
 
 namespace psicarve::cli {
@@ -83,6 +85,37 @@ Json modes_json(const ProgramReport& report) {
                 {"rotation_deg", known_json(report::shown_number(modes.rotation_deg))}};
 }
 
+std::string numbered_name(const ProgramReport& report) {
+    const std::string number = "no. " + std::to_string(report.status.program);
+    return report.origin ? report::origin_text(*report.origin) + " (" + number + ")" : number;
+}
+
+std::string switches_text(const ProgramReport& report) {
+    const auto names = report::switch_names(report.status, report.origin ? &*report.origin : nullptr);
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    if (!report.origin) text += text.empty() ? "not told how it is read" : "; not told how it is read";
+    return "switches   " + (text.empty() ? "none" : text) + "\n";
+}
+
+/// How its text is read cannot be switched: it was before it began. Null: nobody has told.
+Json origin_json(const ProgramReport& report) {
+    if (!report.origin)
+        return Json{{"name", nullptr},         {"source", nullptr},  {"from_line", nullptr},
+                    {"block_delete", nullptr}, {"dry_run", nullptr}, {"dialect", nullptr}};
+    const ProgramOrigin& origin = *report.origin;
+    constexpr std::array kKinds{"file", "stream", "typed"};
+    const auto kind = report::kind_of(origin);
+    const auto has = [&](std::uint32_t flag) { return (origin.flags & flag) != 0; };
+    return Json{
+        {"name", kind == report::OriginKind::file ? Json(report::file_name_of(origin)) : Json(nullptr)},
+        {"source", kKinds[static_cast<std::size_t>(kind)]},
+        {"from_line", std::max<std::uint64_t>(origin.from_line, 1)},
+        {"block_delete", has(kSourceSkipsDeleted)},
+        {"dry_run", has(kSourceIsDry)},
+        {"dialect", has(kSourceIsIso) ? "iso" : "ngc"}};
+}
+
 /// What has to be done to go on.
 std::string way_on(ProgramHold hold) {
     if (hold == ProgramHold::starved) return "it goes on when more of the program comes";
@@ -112,6 +145,12 @@ std::string program_place_text(const ProgramReport& report) {
     return line + ": held, " + reason + "; " + way_on(program.hold);
 }
 
+std::string named_place_text(const ProgramReport& report) {
+    const std::string name =
+        report.origin ? report::origin_text(*report.origin) : "no. " + std::to_string(report.status.program);
+    return name + ", " + program_place_text(report);
+}
+
 bool was_broken_off(const ProgramStatus& program) {
     return program.program != 0 && program.is_running == 0 && program.is_done == 0 && program.line != 0;
 }
@@ -125,17 +164,18 @@ std::string broken_off_text(const ProgramStatus& program) {
 std::string program_text(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {
     if (was_broken_off(report.status) && !runs_job(machine.state)) {
         constexpr std::uint32_t kAllHomed = (1U << kAxisCount) - 1U;
-        return "program    the last one ended " + broken_off_text(report.status) +
+        return "program    the last one" +
+               (report.origin ? " (" + report::origin_text(*report.origin) + ")" : std::string{}) +
+               " ended " + broken_off_text(report.status) +
                (machine.homed_mask == kAllHomed ? "\n" : ", once the machine is homed\n");
     }
     if (report.status.is_running == 0) return {};
-    std::string text = "program    " + program_place_text(report) + "\n" + modes_text(report);
+    std::string text = "program    " + numbered_name(report) + ", " + program_place_text(report) + "\n" +
+                       switches_text(report) + modes_text(report);
     if (const auto left = to_go(report, machine, profile)) text += "to go      " + by_axis_text(*left) + "\n";
     text += "queue      " + std::to_string(report.queued) + " of " + std::to_string(report.ring_records) +
-            " records";
-    if (report.status.starvations > 0)
-        text += "; it had to wait for more " + count_text(report.status.starvations, "time");
-    return text + "\n";
+            " records; it had to wait for more " + count_text(report.status.starvations, "time") + "\n";
+    return text;
 }
 
 std::string recorded_program_text(const ProgramStatus& program, bool may_run) {
@@ -164,9 +204,12 @@ Json recorded_program_json(const ProgramStatus& program) {
                 {"is_done", program.is_done != 0}};
 }
 
-Json last_program_json(const ProgramStatus& program) {
+Json last_program_json(const ProgramReport& report) {
+    const ProgramStatus& program = report.status;
     if (program.program == 0 || program.is_running != 0) return Json(nullptr);
-    return Json{{"number", program.program}, {"line", program.line}, {"is_done", program.is_done != 0}};
+    Json object{{"number", program.program}, {"line", program.line}, {"is_done", program.is_done != 0}};
+    object.update(origin_json(report));
+    return object;
 }
 
 Json program_json(const ProgramReport& report, const CoreStatus& machine, const Profile* profile) {
@@ -177,16 +220,20 @@ Json program_json(const ProgramReport& report, const CoreStatus& machine, const 
         refusal = Json{{"line", report.refusal->line},
                        {"what", in_words(report.refusal->said)},
                        {"message", report::message_json(report.refusal->said)}};
-    return Json{{"number", program.program},
-                {"line", program.line},
-                {"sequence", program.sequence},
-                {"hold", program.hold == ProgramHold::none ? Json(nullptr) : Json(name_of(program.hold))},
-                {"refusal", refusal},
-                {"single", program.is_single != 0},
-                {"starvations", program.starvations},
-                {"queue", Json{{"records", report.queued}, {"of", report.ring_records}}},
-                {"modes", modes_json(report)},
-                {"to_go", by_axis_json(to_go(report, machine, profile))}};
+    Json object{{"number", program.program}};
+    object.update(origin_json(report));
+    object.update(
+        Json{{"line", program.line},
+             {"sequence", program.sequence},
+             {"hold", program.hold == ProgramHold::none ? Json(nullptr) : Json(name_of(program.hold))},
+             {"refusal", refusal},
+             {"single", program.is_single != 0},
+             {"optional_stop", program.stops_at_optional != 0},
+             {"starvations", program.starvations},
+             {"queue", Json{{"records", report.queued}, {"of", report.ring_records}}},
+             {"modes", modes_json(report)},
+             {"to_go", by_axis_json(to_go(report, machine, profile))}});
+    return object;
 }
 
 }  // namespace psicarve::cli

@@ -13,6 +13,8 @@ namespace psicarve::cli {
 /// "line 8: held, tool change; psicarve resume goes on"; just the line while it moves. Of a program that is
 /// held for good also why.
 std::string program_place_text(const ProgramReport& report);
+/// The same with its name or, where that is not told, its number first: "pocket.ngc, line 8".
+std::string named_place_text(const ProgramReport& report);
 /// Whether the last program ended in a stop or an alarm, with a line at hand.
 bool was_broken_off(const ProgramStatus& program);
 /// Of such a one: "in line 8 of its program; gcode run FILE --from-line 8 begins where that line is reached
@@ -29,6 +31,6 @@ nlohmann::ordered_json recorded_program_json(const ProgramStatus& program);
 nlohmann::ordered_json program_json(const ProgramReport& report, const CoreStatus& machine,
                                     const Profile* profile);
 /// Of the last program, where none runs; null: there was none.
-nlohmann::ordered_json last_program_json(const ProgramStatus& program);
+nlohmann::ordered_json last_program_json(const ProgramReport& report);
 
 }  // namespace psicarve::cli

@@ -56,7 +56,7 @@ Result<ProgramRun> run_program(machine::MachineLink& link, const ProgramStart& s
     Command command{};
     command.kind = CommandKind::program;
     command.value2 = start.program;
-    command.axis = start.is_single ? kProgramIsSingle : 0;
+    command.axis = start.switches;
     for (std::size_t k = 0; k < kAxisCount; ++k)
         command.target[k] = static_cast<double>(start.status.position_pulses[k]);
     if (const auto sent = link.send(command); !sent) return sent.error();

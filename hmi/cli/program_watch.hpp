@@ -58,9 +58,9 @@ struct ProgramRun {
 };
 
 struct ProgramStart {
-    std::uint64_t program;  ///< its number
-    bool is_single;
-    CoreStatus status;  ///< where the machine stood when the program was read
+    std::uint64_t program;   ///< its number
+    std::uint32_t switches;  ///< kProgram... bits
+    CoreStatus status;       ///< where the machine stood when the program was read
 };
 /// Asks the core to run the program whose records are being written, and waits until the machine is ready
 /// again. An error when it was not run to its end, or the machine has moved since it was read.

@@ -15,12 +15,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // As the options of `gcode run` have them.
-constexpr std::array<std::pair<std::uint32_t, const char*>, 5> kSwitches{
+constexpr std::array<std::pair<std::uint32_t, const char*>, 6> kSwitches{
     {{kSourceIsIso, "--dialect iso"},
      {kSourceIsSingle, "--single"},
      {kSourceStopsAtOptional, "--optional-stop"},
      {kSourceSkipsDeleted, "--block-delete"},
-     {kSourceIsDry, "--dry-run"}}};
+     {kSourceIsDry, "--dry-run"},
+     {kSourceIsTyped, "--mdi"}}};
 
 std::vector<std::string> switches_of(const ProgramSource& source) {
     std::vector<std::string> switches;

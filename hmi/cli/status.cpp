@@ -184,7 +184,7 @@ std::string json_line(machine::MachineLink& link, const ProgramSight& sight, con
         report::status_json(status, profile ? report::TableSize::of(*profile) : report::TableSize{}));
     object["position"] = profile ? report::position_json(status, *profile) : nlohmann::ordered_json(nullptr);
     object["program"] = program_json(sight.program, status, profile ? &*profile : nullptr);
-    object["last_program"] = last_program_json(sight.program.status);
+    object["last_program"] = last_program_json(sight.program);
     object["pass"] = pass.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(pass);
     object["checkpoint"] = checkpoint_json(checkpoint, checkpoint && link.is_of_published_job(*checkpoint));
     object["go_on"] = go_on_json(place_to_go_on(link, status));
@@ -233,7 +233,7 @@ Result<int> show_status(const CommonOptions& common, const StatusOptions& option
         if (common.json)
             return json_line(*link, *sight, pass, profile, pieces.beside(*link, status, patience));
         if (as_line && program.status.is_running != 0)
-            return state_text(status) + "; program " + program_place_text(program) + "\n";
+            return state_text(status) + "; program " + named_place_text(program) + "\n";
         if (as_line) return status_line(status, pass);
         const auto checkpoint = link->checkpoint();
         std::string text = head_line(*link) + status_text(status, profile ? &*profile : nullptr, pass) +

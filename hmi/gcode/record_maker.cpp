@@ -128,11 +128,7 @@ void RecordMaker::carry_out(const CanonRecord& record) {
             return put(MotionKind::stop, record.line, static_cast<std::uint8_t>(StopReason::tool_change),
                        0.0);
         case CanonKind::stop:
-            if (record.code == 1 && !options_.stops_at_optional) return;
-            return put(
-                MotionKind::stop, record.line,
-                static_cast<std::uint8_t>(record.code == 1 ? StopReason::optional : StopReason::program),
-                0.0);
+            return stop(record);
         case CanonKind::end:
             return put(MotionKind::end, record.line, 0, 0.0);
         case CanonKind::coolant:
@@ -146,6 +142,22 @@ void RecordMaker::carry_out(const CanonRecord& record) {
         case CanonKind::override_set:
             return;  // a mode, or MachineCheck has warned that it does nothing here
     }
+}
+
+void RecordMaker::stop(const CanonRecord& record) {
+    StopReason reason = StopReason::program;
+    if (record.code == 1) {
+        if (!options_.stops_at_optional) return put_optional_stop(record.line);
+        reason = options_.has_optional_stops ? StopReason::optional_at_rest : StopReason::optional;
+    }
+    put(MotionKind::stop, record.line, static_cast<std::uint8_t>(reason), 0.0);
+}
+
+/// Where nothing moves for it the way before it ends the block, as it would without it.
+void RecordMaker::put_optional_stop(std::uint64_t line) {
+    if (!options_.has_optional_stops) return;
+    outlet_.end_block();
+    put(MotionKind::stop, line, static_cast<std::uint8_t>(StopReason::optional_on_way), 0.0);
 }
 
 /// Whether a way can say it.

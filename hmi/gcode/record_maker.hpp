@@ -16,7 +16,8 @@ namespace psicarve::gcode {
 struct RunOptions {
     std::uint64_t program = 0;       ///< the number that its records bear
     std::uint64_t from_line = 0;     ///< what lies before makes no motion, but counts; 0, 1: all is run
-    bool stops_at_optional = false;  ///< M1 stops
+    bool stops_at_optional = false;  ///< the switch for M1 is on as it begins: each is planned as a rest
+    bool has_optional_stops = true;  ///< the switch acts while it runs; false: as before layout 18
     bool is_dry = false;  ///< spindle and outputs off, heads outside the blank: only psi and y move
 };
 
@@ -54,6 +55,8 @@ private:
     void put_way(std::uint64_t line, const Position& end, AxisMask letters, double seconds,
                  double tolerance_mm, bool is_rapid);
     void put_heads_out(std::uint64_t line);
+    void stop(const CanonRecord& record);
+    void put_optional_stop(std::uint64_t line);
     void switch_outputs(const CanonRecord& record);
     void put_outputs(std::uint64_t line, SwitchedOutputs outputs, bool is_on);
     void put(MotionKind kind, std::uint64_t line, std::uint8_t code, double seconds);

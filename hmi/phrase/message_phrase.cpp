@@ -96,6 +96,7 @@ std::vector<Row> of_jobs() {
         {Id::bad_override, phrase("10 to 200 per cent of the planned feed, whole")},
         {Id::bad_rapid_override, phrase("10 to 100 per cent of the speed of rapid ways, whole")},
         {Id::no_program_runs, phrase("no program runs")},
+        {Id::no_program_for_optional_stop, phrase("no program runs")},
     };
 }
 

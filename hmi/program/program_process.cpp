@@ -181,6 +181,7 @@ void ProgramProcess::begin_block(const std::string& block, RunRequest request,
     if (state_ != State::none) return;
     note_start();
     request.file = files_.block();
+    request.is_typed = true;
     starting_.begin(
         [files = files_, block, request = std::move(request), judged_by, progress = progress_]() -> Begun {
             if (const auto made = make_folder(files.folder); !made)

@@ -34,6 +34,7 @@ std::vector<std::string> arguments_of(const std::string& psicarve, const RunRequ
     if (how.stops_at_optional) arguments.emplace_back("--optional-stop");
     if (how.skips_deleted) arguments.emplace_back("--block-delete");
     if (how.is_dry) arguments.emplace_back("--dry-run");
+    if (request.is_typed) arguments.emplace_back("--mdi");
     return arguments;
 }
 

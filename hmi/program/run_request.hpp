@@ -34,6 +34,7 @@ struct RunRequest {
     std::optional<gcode::FileState> state =
         {};  ///< that it was judged in; nothing: whoever runs it judges it
     bool is_simulator = false;
+    bool is_typed = false;                           ///< a block of the MDI line
     std::optional<gcode::KeptOffsets> offsets = {};  ///< that it was judged with; nothing: as with `state`
 };
 

@@ -52,6 +52,8 @@ void tell_command(const FlightRecord& record, Entry& entry) {
         entry.what = phrase("Override of rapids %1 %", std::to_string(record.value));
     } else if (static_cast<CommandKind>(record.code) == CommandKind::single) {
         entry.what = record.value != 0 ? phrase("Single block on") : phrase("Single block off");
+    } else if (static_cast<CommandKind>(record.code) == CommandKind::optional_stop) {
+        entry.what = record.value != 0 ? phrase("Optional stop on") : phrase("Optional stop off");
     } else {
         entry.what = phrase("Command: %1", command_name(record));
     }

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shared/machine/command.hpp"
+
 namespace psicarve::report {
 namespace {
 
@@ -28,7 +30,18 @@ std::string place_text(const FlightRecord& record) {
 }
 
 bool is_single(const FlightRecord& record) {
-    return program_detail_of(record) != 0;
+    return (program_detail_of(record) & kProgramIsSingle) != 0;
+}
+
+bool stops_at_optional(const FlightRecord& record) {
+    return (program_detail_of(record) & kProgramStopsAtOptional) != 0;
+}
+
+std::string begun_text(const FlightRecord& record) {
+    std::string text = "begun no. " + std::to_string(record.value);
+    if (is_single(record)) text += ", " + std::string{name_of(ProgramHold::single)};
+    if (stops_at_optional(record)) text += ", " + std::string{name_of(ProgramHold::optional)};
+    return text;
 }
 
 }  // namespace
@@ -41,10 +54,7 @@ std::string program_event_text(const FlightRecord& record) {
 }
 
 std::string program_record_text(const FlightRecord& record) {
-    if (is_of_program(record, ProgramEvent::begun)) {
-        return "begun no. " + std::to_string(record.value) +
-               (is_single(record) ? ", " + std::string{name_of(ProgramHold::single)} : std::string{});
-    }
+    if (is_of_program(record, ProgramEvent::begun)) return begun_text(record);
     if (is_of_program(record, ProgramEvent::line)) return place_text(record);
     const std::string detail = detail_text(record);
     const std::uint32_t starvations = recorded_starvations(record);
@@ -56,7 +66,9 @@ std::string program_record_text(const FlightRecord& record) {
 Json program_record_json(const FlightRecord& record) {
     if (record.kind != RecordKind::program) return Json(nullptr);
     if (is_of_program(record, ProgramEvent::begun))
-        return Json{{"number", record.value}, {"single", is_single(record)}};
+        return Json{{"number", record.value},
+                    {"single", is_single(record)},
+                    {"optional_stop", stops_at_optional(record)}};
     Json object{{"line", record.value}, {"sequence", record.answer}};
     const std::string detail = detail_text(record);
     const Json told = detail.empty() ? Json(nullptr) : Json(detail);

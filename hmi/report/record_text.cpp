@@ -115,7 +115,9 @@ std::string record_text(const FlightRecord& record) {
     const bool is_override = record.kind == RecordKind::command &&
                              (static_cast<CommandKind>(record.code) == CommandKind::override ||
                               static_cast<CommandKind>(record.code) == CommandKind::rapid_override);
-    if (record.kind == RecordKind::command && static_cast<CommandKind>(record.code) == CommandKind::single)
+    if (record.kind == RecordKind::command &&
+        (static_cast<CommandKind>(record.code) == CommandKind::single ||
+         static_cast<CommandKind>(record.code) == CommandKind::optional_stop))
         text += record.value != 0 ? " on" : " off";
     if (record.kind == RecordKind::alarm || record.kind == RecordKind::job ||
         record.kind == RecordKind::home_latch || is_target || is_override) {

@@ -508,6 +508,10 @@
             <translation>черновых: %1, чистовой</translation>
         </message>
         <message>
+            <source>%1 runs, of another process. %2</source>
+            <translation>Идёт %1 другого процесса. %2</translation>
+        </message>
+        <message>
             <source>%1 runs. %2</source>
             <translation>Идёт %1. %2</translation>
         </message>
@@ -948,12 +952,20 @@
             <translation>Шаговый импульс длится не меньше.</translation>
         </message>
         <message>
+            <source>A stream</source>
+            <translation>Поток</translation>
+        </message>
+        <message>
             <source>A table's layers and radii are taken as they stand</source>
             <translation>Слои и радиусы таблицы берутся как есть</translation>
         </message>
         <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>Инструмент при износе становится короче: деталь на половине %1 выходит толще на столько по радиусу. Считается от касания этой головки.</translation>
+        </message>
+        <message>
+            <source>A typed block</source>
+            <translation>Введённый кадр</translation>
         </message>
         <message>
             <source>A window ended before it was published or saved. Nothing is published, nothing moves.</source>
@@ -3419,6 +3431,14 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Optional stop</source>
             <translation>Останов по выбору</translation>
+        </message>
+        <message>
+            <source>Optional stop off</source>
+            <translation>Останов по выбору выключен</translation>
+        </message>
+        <message>
+            <source>Optional stop on</source>
+            <translation>Останов по выбору включён</translation>
         </message>
         <message>
             <source>Output %1</source>
@@ -7997,6 +8017,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>optional stop (M1)</source>
             <translation>условный останов (M1)</translation>
+        </message>
+        <message>
+            <source>optional-stop</source>
+            <translation>останов по выбору</translation>
         </message>
         <message>
             <source>ordinary scheduling</source>

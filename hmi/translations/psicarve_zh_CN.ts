@@ -508,6 +508,10 @@
             <translation>粗加工 %1 遍，精加工</translation>
         </message>
         <message>
+            <source>%1 runs, of another process. %2</source>
+            <translation>另一进程的 %1 正在运行。%2</translation>
+        </message>
+        <message>
             <source>%1 runs. %2</source>
             <translation>%1 正在运行。%2</translation>
         </message>
@@ -948,12 +952,20 @@
             <translation>步进脉冲至少持续这么久。</translation>
         </message>
         <message>
+            <source>A stream</source>
+            <translation>数据流</translation>
+        </message>
+        <message>
             <source>A table's layers and radii are taken as they stand</source>
             <translation>表格的层和半径按原样采用</translation>
         </message>
         <message>
             <source>A tool becomes shorter as it wears: a piece that comes out thicker on the half of %1 by so much in radius. It is counted from the head's touch-off.</source>
             <translation>刀具磨损后变短：工件在 %1 的一半半径会大出这么多。自该刀头对刀时算起。</translation>
+        </message>
+        <message>
+            <source>A typed block</source>
+            <translation>输入的程序段</translation>
         </message>
         <message>
             <source>A window ended before it was published or saved. Nothing is published, nothing moves.</source>
@@ -3418,6 +3430,14 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Optional stop</source>
             <translation>选择停止</translation>
+        </message>
+        <message>
+            <source>Optional stop off</source>
+            <translation>选择停止关</translation>
+        </message>
+        <message>
+            <source>Optional stop on</source>
+            <translation>选择停止开</translation>
         </message>
         <message>
             <source>Output %1</source>
@@ -7990,6 +8010,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>optional stop (M1)</source>
             <translation>选择停止（M1）</translation>
+        </message>
+        <message>
+            <source>optional-stop</source>
+            <translation>选择停止</translation>
         </message>
         <message>
             <source>ordinary scheduling</source>

@@ -38,7 +38,6 @@ namespace {
 
 constexpr int kLeastBesideEachOther_px = 560;
 constexpr int kMostProblemsHeight_px = 84;
-constexpr int kFromLineWidth_px = 110;
 constexpr int kProgressWidth_px = 120;
 constexpr int kLeastText_px = 110;
 
@@ -117,65 +116,6 @@ QLayout* ProgramPage::make_head() {
     row->addWidget(start_);
     row->addWidget(stop_);
     return row;
-}
-
-TickBox* ProgramPage::switch_box(const char* name, const QString& text, const QString& hint,
-                                 std::function<void(bool)> take) {
-    auto* box = new TickBox{text};
-    box->setObjectName(name);
-    box->setFocusPolicy(Qt::TabFocus);
-    box->setToolTip(hint);
-    connect(box, &QCheckBox::toggled, this, [take = std::move(take)](bool is_on) { take(is_on); });
-    return box;
-}
-
-QLayout* ProgramPage::make_switches() {
-    program::RunSwitches& switches = context_.program.switches;
-    single_ = switch_box("program_single", tr("Single block"), tr("Holds behind each block; Resume goes on"),
-                         [this](bool is_on) { switch_single(is_on); });
-    optional_ = switch_box("program_optional", tr("Optional stop"), tr("Holds at M1"),
-                           [&switches](bool is_on) { switches.stops_at_optional = is_on; });
-    delete_ = switch_box("program_delete", tr("Block delete"), tr("Leaves out blocks that begin with /"),
-                         [this, &switches](bool is_on) {
-                             if (std::exchange(switches.skips_deleted, is_on) != is_on) decode_again();
-                         });
-    dry_ = switch_box("program_dry", tr("Dry run"),
-                      tr("Spindle off, heads outside the blank; table and Y go as they would"),
-                      [&switches](bool is_on) { switches.is_dry = is_on; });
-    from_line_ = new QSpinBox;
-    ignore_wheel(from_line_);
-    from_line_->setObjectName("program_from_line");
-    from_line_->setAccessibleName(tr("Line to begin with"));
-    from_line_->setRange(1, std::numeric_limits<int>::max());
-    from_line_->setFixedWidth(kFromLineWidth_px);
-    connect(from_line_, &QSpinBox::valueChanged, this, [this, &switches](int line) {
-        if (switches.from_line != static_cast<std::uint32_t>(line)) context_.program.asks_for_start = false;
-        switches.from_line = static_cast<std::uint32_t>(line);
-    });
-    auto* row = new FlowLayout;
-    row->setSpacing(kGap);
-    for (QWidget* part : {single_, optional_, delete_, dry_}) row->addWidget(part);
-    auto* from = new QWidget;
-    auto* beside = new QHBoxLayout{from};
-    beside->setContentsMargins(0, 0, 0, 0);
-    beside->addWidget(role_label("label", tr("From line")));
-    beside->addWidget(from_line_);
-    row->addWidget(from);
-    rapids_ = new RapidOverride{context_};
-    row->addWidget(rapids_);
-    return row;
-}
-
-// While a program runs that one is meant, whoever has started it.
-void ProgramPage::switch_single(bool is_on) {
-    if (context_.program_report.status.is_running == 0) {
-        context_.program.switches.is_single = is_on;
-        return;
-    }
-    Command command{};
-    command.kind = CommandKind::single;
-    command.value = is_on ? 1.0 : 0.0;
-    context_.machine.order(command, session::phrase("Single block"));
 }
 
 QLayout* ProgramPage::make_views() {
@@ -302,41 +242,6 @@ void ProgramPage::show_program() {
         std::max<std::uint64_t>(desk.program()->facts.line_count, desk.switches.from_line);
     from_line_->setMaximum(
         static_cast<int>(std::clamp<std::uint64_t>(most, 1, std::numeric_limits<int>::max())));
-}
-
-void ProgramPage::show_switches() {
-    const program::ProgramDesk& desk = context_.program;
-    // What is only shown is no wish of the operator's.
-    const program::RunSwitches& shown = desk.shown_switches();
-    const auto show = [](QAbstractButton& box, bool is_on) {
-        const QSignalBlocker no_wish{box};
-        box.setChecked(is_on);
-    };
-    const ProgramStatus& running = context_.program_report.status;
-    // What was asked for is shown until it is answered.
-    if (running.is_running == 0) {
-        show(*single_, shown.is_single);
-    } else if (!context_.machine.has_orders()) {
-        show(*single_, running.is_single != 0);
-    }
-    show(*optional_, shown.stops_at_optional);
-    show(*delete_, shown.skips_deleted);
-    show(*dry_, shown.is_dry);
-    // The text of a line that is being typed is left alone.
-    if (const int line = static_cast<int>(shown.from_line); from_line_->value() != line) {
-        const QSignalBlocker no_wish{from_line_};
-        from_line_->setMaximum(std::max(from_line_->maximum(), line));
-        from_line_->setValue(line);
-    }
-    for (QWidget* part : {static_cast<QWidget*>(single_), static_cast<QWidget*>(optional_),
-                          static_cast<QWidget*>(delete_), static_cast<QWidget*>(dry_)}) {
-        const QVariant hint = part->property("hint");
-        if (!hint.isValid()) part->setProperty("hint", part->toolTip());
-        const bool is_kept = desk.is_under_way() && (part != single_ || running.is_running == 0);
-        lock_with(*part, is_kept ? tr("A program that runs keeps what it was started with") : QString{},
-                  part->property("hint").toString());
-    }
-    from_line_->setEnabled(!desk.is_under_way() && desk.program() != nullptr);
 }
 
 void ProgramPage::show_buttons() {

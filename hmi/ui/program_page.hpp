@@ -58,6 +58,8 @@ private:
     TickBox* switch_box(const char* name, const QString& text, const QString& hint,
                         std::function<void(bool)> take);
     void switch_single(bool is_on);
+    void switch_optional_stop(bool is_on);
+    void order_switch(CommandKind kind, bool is_on, const session::Phrase& name);
     void make_problems();
     void start();
     void show_program();
@@ -68,6 +70,7 @@ private:
     QString state_text() const;
     QString modes_text() const;
     QString offsets_text() const;
+    static QString origin_name(const ProgramOrigin& origin);
     QString places_text(const std::array<double, kAxisCount>& places) const;
     void decode_again();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What page Program says of its file and of what runs.
+#include "hmi/report/program_origin.hpp"
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/action_button.hpp"
 #include "hmi/ui/program_page.hpp"
@@ -25,6 +26,19 @@ QString ProgramPage::facts_text() const {
     return facts;
 }
 
+/// The name that whoever writes it has told.
+QString ProgramPage::origin_name(const ProgramOrigin& origin) {
+    switch (report::kind_of(origin)) {
+        case report::OriginKind::stream:
+            return tr("A stream");
+        case report::OriginKind::typed:
+            return tr("A typed block");
+        case report::OriginKind::file:
+            break;
+    }
+    return QString::fromStdString(report::file_name_of(origin));
+}
+
 /// What runs, or how it ended, or why nothing can be started.
 QString ProgramPage::state_text() const {
     const program::ProgramDesk& desk = context_.program;
@@ -32,10 +46,11 @@ QString ProgramPage::state_text() const {
     const auto name = [&desk] { return QString::fromStdString(desk.started_name()); };
     if (report.status.is_running != 0 && context_.machine.view().is_heard()) {
         const QString place = words(program::place_phrase(report.status, context_.machine.view().state()));
-        QString text = desk.is_shown(report.status)  ? tr("The program runs. %1").arg(place)
-                       : desk.is_ours(report.status) ? tr("%1 runs. %2").arg(name(), place)
-                       : desk.is_block() && desk.is_under_way()
-                           ? tr("The typed block runs. %1").arg(place)
+        QString text = desk.is_shown(report.status)             ? tr("The program runs. %1").arg(place)
+                       : desk.is_ours(report.status)            ? tr("%1 runs. %2").arg(name(), place)
+                       : desk.is_block() && desk.is_under_way() ? tr("The typed block runs. %1").arg(place)
+                       : report.origin
+                           ? tr("%1 runs, of another process. %2").arg(origin_name(*report.origin), place)
                            : tr("A program of another process runs. %1").arg(place);
         if (report.progress.program == report.status.program)
             text += QStringLiteral(" · ") + tr("taken up to line %1").arg(report.progress.line);

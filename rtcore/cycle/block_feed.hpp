@@ -23,7 +23,7 @@ public:
         pause_ticks_left_ = 0;
         group_blocks_left_ = 0;
         set_program_line(block_, 0);
-        block_.ends_line = 0;
+        block_.marks = 0;
     }
 
     /// All that is queued of other epochs at once, however much: for virtual time, not in the tick.
@@ -60,11 +60,14 @@ public:
     const MotionBlock* numbered(std::uint64_t number) const noexcept;
     /// Of the group, behind the block at hand.
     std::uint32_t blocks_left() const noexcept { return group_blocks_left_; }
-    /// At rest: with the block at hand a program's line has ended, and nothing of it goes on. Asked again:
-    /// false.
-    bool take_line_end() noexcept {
-        return pause_ticks_left_ == 0 && std::exchange(block_.ends_line, std::uint8_t{0}) != 0;
+    /// At rest: all marks of the block at hand if one of them is wanted and nothing of it goes on; else, and
+    /// asked again: 0.
+    std::uint8_t take_marks(std::uint8_t wanted) noexcept {
+        if (pause_ticks_left_ > 0 || (block_.marks & wanted) == 0) return 0;
+        return std::exchange(block_.marks, std::uint8_t{0});
     }
+    /// Of a halt: it is decided, and nothing waits behind it.
+    void forget_marks() noexcept { block_.marks = 0; }
     /// An axis of the block at hand goes so much further.
     void lengthen(std::size_t axis, std::int64_t extra_pulses) noexcept {
         block_.delta_pulses[axis] += extra_pulses;

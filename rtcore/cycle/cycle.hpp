@@ -159,7 +159,7 @@ private:
     Refusal switch_spindle(bool on) noexcept;
     // cycle_program.cpp: a program of motion records
     Refusal start_program(const Request& request) noexcept;
-    Refusal switch_single(bool is_on) noexcept;
+    Refusal switch_stops(RequestKind kind, bool is_on) noexcept;
     void line_done() noexcept;
     void watch_supply() noexcept;
     void halt_program(ProgramHold hold) noexcept;

@@ -42,6 +42,7 @@ enum class RequestKind : std::uint8_t {
     drives_off,
     run_program,     ///< value: its number; axis: not 0: a halt after each of its blocks
     single,          ///< value: 1: a running program rests at the end of each line, 0: it does not
+    optional_stop,   ///< value: 1: a running program rests at each M1, 0: it does not
     rapid_override,  ///< value: per cent of the speed of a program's rapid ways
 };
 struct Request {

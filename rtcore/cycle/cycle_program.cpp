@@ -2,34 +2,47 @@
 #include "rtcore/cycle/cycle.hpp"
 
 namespace psicarve::cycle {
+namespace {
+
+std::uint8_t marks_to_rest_behind(const ProgramStatus& program) noexcept {
+    return static_cast<std::uint8_t>((program.is_single != 0 ? kEndsLine : 0) |
+                                     (program.stops_at_optional != 0 ? kOptionalStop : 0));
+}
+
+}  // namespace
 
 Refusal Cycle::start_program(const Request& request) noexcept {
     if (state_ == MachineState::off) return Refusal::not_homed;
     if (!next_state(state_, MachineEvent::run_program).has_value()) return Refusal::not_in_this_state;
     if (!homed_.has_all()) return Refusal::not_homed;
-    program_.begin(request.value, request.axis != 0);
-    tell_program(ProgramEvent::begun, program_.status().is_single);
+    program_.begin(request.value, request.axis);
+    tell_program(ProgramEvent::begun, program_.switches());
     pulses_.clear_emitted();
-    motion_.set_line_by_line(request.axis != 0);
+    motion_.rest_behind(marks_to_rest_behind(program_.status()));
     apply(MachineEvent::run_program);
     request_plan(PlanKind::program);
     return Refusal::none;
 }
 
-Refusal Cycle::switch_single(bool is_on) noexcept {
+Refusal Cycle::switch_stops(RequestKind kind, bool is_on) noexcept {
     if (!program_.is_on()) return Refusal::no_program;
     if (state_ == MachineState::stopping) return Refusal::not_in_this_state;
-    program_.set_single(is_on);
-    motion_.set_line_by_line(is_on);
+    if (kind == RequestKind::single) {
+        program_.set_single(is_on);
+    } else {
+        program_.set_optional_stop(is_on);
+    }
+    motion_.rest_behind(marks_to_rest_behind(program_.status()));
     return Refusal::none;
 }
 
-// A hold, a stop or an alarm that was asked for meanwhile goes on from this rest; so does a program that is
-// no longer run line by line.
+// A hold, a stop or an alarm that was asked for meanwhile goes on from this rest; so does a program whose
+// switch is off by now. Where a line ends at an M1 it rests once for both.
 void Cycle::line_done() noexcept {
     if (!carves_program() || alarm_.awaited() != AlarmCause::none) return came_to_rest();
-    if (program_.status().is_single == 0) return motion_.resume();
-    halt_program(ProgramHold::single);
+    const unsigned why = motion_.rested_marks() & marks_to_rest_behind(program_.status());
+    if (why == 0) return motion_.resume();
+    halt_program((why & kOptionalStop) != 0 ? ProgramHold::optional : ProgramHold::single);
 }
 
 // Once there is nothing to do: it has come to rest by itself, on a point of the program.

@@ -50,7 +50,8 @@ Verdict Cycle::judge(const Request& request) noexcept {
         case RequestKind::override:
             return {take_override(request.value)};
         case RequestKind::single:
-            return {switch_single(request.value != 0)};
+        case RequestKind::optional_stop:
+            return {switch_stops(request.kind, request.value != 0)};
         case RequestKind::rapid_override:
             return {take_rapid_override(request.value)};
         case RequestKind::record:

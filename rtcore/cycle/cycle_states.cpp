@@ -21,7 +21,7 @@ void Cycle::enter(MachineState state) noexcept {
     if (program_.is_on()) tell_program_of(left, state);
     if (state == MachineState::ready || state == MachineState::off || state == MachineState::alarm) {
         program_.end();
-        motion_.set_line_by_line(false);
+        motion_.rest_behind(0);
     }
     if (state == MachineState::off || state == MachineState::alarm) pulses_.make_safe();
     // An axis that was homed alone holds its position while the others are homed.

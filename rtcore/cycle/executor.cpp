@@ -90,7 +90,7 @@ Executor::Progress Executor::begin(std::uint64_t tick) noexcept {
             feed_.pause(block().ticks);
             return kNothing;
         case BlockKind::halt:
-            return block().halt == ProgramHold::single && !is_line_by_line_ ? kNothing : kHalted;
+            return is_halt_wanted() ? kHalted : kNothing;
         case BlockKind::program_end:
             break;
     }

@@ -43,7 +43,7 @@ public:
     static constexpr Progress kNotFound = 64;    ///< the sensor of latch_axis() did not do what it should
     static constexpr Progress kStarved = 128;    ///< a group's next block is not there, or is none that ends
     static constexpr Progress kHalted = 512;     ///< a program's halt: halt() says why
-    static constexpr Progress kLineDone = 1024;  ///< line by line: it rests where a program's line ends
+    static constexpr Progress kLineDone = 1024;  ///< it rests behind a block with a wanted mark
 
     Executor(const CycleConfig& config, BlockRing& blocks, PulseStage& pulses, const Inputs& inputs) noexcept
         : pulses_(&pulses),
@@ -57,7 +57,7 @@ public:
         if (in_motion_) return advance(tick);
         if (pulses_->is_gate_shut()) return kNothing;
         if (slowing_) return kAtRest;
-        if (is_line_by_line_ && feed_.take_line_end()) return kLineDone;
+        if (rested_at_mark()) return kLineDone;
         return feed_.take_first() ? begin(tick) : kNothing;
     }
 
@@ -77,9 +77,11 @@ public:
     void set_feed_ratio(double feed_ratio) noexcept;
     /// So much of the speed of rapid ways from the next step on, 0.1 to 1.
     void set_rapid_ratio(double rapid_ratio) noexcept;
-    /// From now on a program rests where a line ends, on its path: at the first end that a brake reaches.
-    /// Halts that a plan has for the same are passed over otherwise.
-    void set_line_by_line(bool is_on) noexcept;
+    /// From now on a program rests behind blocks with one of these marks, on its path: behind the first that
+    /// a brake reaches. Halts that a plan has for others are passed over. 0: none.
+    void rest_behind(std::uint8_t marks) noexcept;
+    /// Of kLineDone: all marks of the block behind which it rests.
+    std::uint8_t rested_marks() const noexcept { return rested_marks_; }
     /// From the next block on these axes (bit by axis) stand still: the pulses that they would have are not
     /// sent, all else is as it would be. None after reset().
     void set_still_axes(std::uint32_t axes) noexcept { still_axes_ = axes; }
@@ -143,7 +145,9 @@ private:
     void enter_segment(std::uint64_t tick) noexcept;
     void turn_for_segment(std::uint64_t tick) noexcept;
     void turn_idle_axes(std::uint64_t tick) noexcept;
-    // executor_halts.cpp: rests at the ends of a program's lines
+    // executor_halts.cpp: rests at the ends of a program's lines, or at its optional stops
+    bool is_halt_wanted() noexcept;
+    bool rested_at_mark() noexcept;
     void look_for_line_end() noexcept;
     void look_at_rest() noexcept;
     void bound_segment() noexcept;
@@ -171,7 +175,8 @@ private:
     std::uint32_t still_axes_ = 0;
     bool in_motion_ = false;
     bool slowing_ = false;
-    bool is_line_by_line_ = false;
+    std::uint8_t wanted_marks_ = 0;
+    std::uint8_t rested_marks_ = 0;
     bool has_line_ended_ = false;  ///< it rests on the path for that, and kLineDone is not told yet
     bool starts_again_ = false;    ///< the next segment begins behind such a rest
     std::int64_t latch_correction_ = 0;

@@ -3,10 +3,11 @@
 
 namespace psicarve::cycle {
 
-void Executor::set_line_by_line(bool is_on) noexcept {
-    is_line_by_line_ = is_on;
-    if (is_on) return;
-    line_stop_.forget();
+// An end that was found for other marks may be none any more: it is sought anew.
+void Executor::rest_behind(std::uint8_t marks) noexcept {
+    if (marks == wanted_marks_) return;
+    wanted_marks_ = marks;
+    line_stop_.want(marks);
     pace_.unbound();
 }
 
@@ -29,15 +30,28 @@ void Executor::bound_segment() noexcept {
     pace_.bound(bounds.begin2, bounds.end2);
 }
 
+// At rest, of a halt that the plan has for a switch.
+bool Executor::is_halt_wanted() noexcept {
+    const bool is_wanted = block().marks == 0 || (block().marks & wanted_marks_) != 0;
+    feed_.forget_marks();
+    return is_wanted;
+}
+
+bool Executor::rested_at_mark() noexcept {
+    const std::uint8_t marks = feed_.take_marks(wanted_marks_);
+    if (marks != 0) rested_marks_ = marks;
+    return marks != 0;
+}
+
 // An end with which a run ends is none of these: there it rests anyway.
 bool Executor::rests_at_line_end() const noexcept {
-    if (!is_line_by_line_ || slowing_ || block().ends_line == 0) return false;
+    if (slowing_ || (block().marks & wanted_marks_) == 0) return false;
     if (feed_.is_last_of_group() && !feed_.goes_on()) return false;
     return line_stop_.ends_at(feed_.number()) || pace_.is_slowest();
 }
 
 void Executor::rest_at_line_end() noexcept {
-    (void)feed_.take_line_end();
+    rested_marks_ = feed_.take_marks(wanted_marks_);
     line_stop_.forget();
     pace_.unbound();
     slowing_ = true;

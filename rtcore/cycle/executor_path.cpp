@@ -13,7 +13,7 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
     starts_again_ = false;
     iterations_.start_segment(block());
     pace_.cap(feed_.goes_on() && !feed_.has_next_group());
-    if (is_line_by_line_) look_at_rest();
+    if (wanted_marks_ != 0) look_at_rest();
     bound_segment();
     if (feed_.carries_on() || line_stop_.holds(feed_.number())) {
         pace_.start_again(block().path, iterations_.left());
@@ -28,7 +28,7 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
 // tick, while time goes on.
 Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
     if (pace_.is_capped() && feed_.has_next_group()) pace_.cap(false);
-    if (is_line_by_line_ && !starts_again_) look_for_line_end();
+    if (wanted_marks_ != 0 && !starts_again_) look_for_line_end();
     if (block().way == WayKind::to_feed && !is_near_feed_ && pace_.way() >= double{block().path.feed_from}) {
         is_near_feed_ = true;
         aim();
@@ -77,7 +77,7 @@ Executor::Progress Executor::advance_path(std::uint64_t tick) noexcept {
 void Executor::enter_segment(std::uint64_t tick) noexcept {
     iterations_.start_segment(block());
     enter_way();
-    if (starts_again_ && is_line_by_line_) look_at_rest();
+    if (starts_again_ && wanted_marks_ != 0) look_at_rest();
     bound_segment();
     if (std::exchange(starts_again_, false)) {
         pace_.start_again(block().path, iterations_.left());

@@ -43,7 +43,8 @@ public:
     void set_feed_ratio(double feed_ratio) noexcept { executor_.set_feed_ratio(feed_ratio); }
     void set_rapid_ratio(double rapid_ratio) noexcept { executor_.set_rapid_ratio(rapid_ratio); }
 
-    void set_line_by_line(bool is_on) noexcept { executor_.set_line_by_line(is_on); }
+    void rest_behind(std::uint8_t marks) noexcept { executor_.rest_behind(marks); }
+    std::uint8_t rested_marks() const noexcept { return executor_.rested_marks(); }
 
     /// Hold and resume: to rest on the path; heads on their way turn round.
     void hold() noexcept;

@@ -69,6 +69,10 @@ enum class WayKind : std::uint8_t {
 inline constexpr std::uint8_t kGoesOn = 1;     ///< without a rest the next group goes on where it ends
 inline constexpr std::uint8_t kCarriesOn = 2;  ///< it is such a next one
 
+/// What comes behind a block of a program, as bits: behind those that are wanted it rests.
+inline constexpr std::uint8_t kEndsLine = 1;      ///< a line of the program ends with it
+inline constexpr std::uint8_t kOptionalStop = 2;  ///< M1
+
 /// One piece of motion. Written by the planner, read by the tick. Speeds are those of the long axis: DDA
 /// iterations per second, each iteration at least one pulse. Long, as one entry of the queue has room for
 /// every kind of block.
@@ -88,7 +92,7 @@ struct MotionBlock {
     SwitchedOutputs switched_on;   ///< outputs: these go on; all others stay as they are
     SwitchedOutputs switched_off;  ///< outputs: these go off
     WayKind way;                   ///< path
-    std::uint8_t ends_line;        ///< 1: a program's line ends with it
+    std::uint8_t marks;            ///< kEndsLine, kOptionalStop; of a halt: waits only if one is wanted
     std::uint32_t epoch;           ///< of the plan request it belongs to; others are dropped
     std::uint32_t group_blocks;    ///< of the whole acceleration group or run; 0: not its first block
     std::array<std::int64_t, kAxisCount> delta_pulses;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "shared/machine/command.hpp"
 #include "shared/machine/program_status.hpp"
 
 namespace psicarve::cycle {
@@ -22,17 +23,25 @@ public:
         : patience_steps_(kPatience_ns / step_ns),
           telling_ticks_(static_cast<std::uint64_t>(kTelling_ns / tick_ns)) {}
 
-    void begin(std::uint64_t program, bool is_single) noexcept {
+    /// `switches`: kProgram... bits.
+    void begin(std::uint64_t program, std::uint32_t switches) noexcept {
         status_ = ProgramStatus{};
         status_.program = program;
         status_.is_running = 1;
-        status_.is_single = is_single ? 1 : 0;
+        status_.is_single = (switches & kProgramIsSingle) != 0 ? 1 : 0;
+        status_.stops_at_optional = (switches & kProgramStopsAtOptional) != 0 ? 1 : 0;
         empty_steps_ = 0;
         untold_starvations_ = 0;
         starvations_tick_ = 0;
         has_begun_ = false;
     }
     void set_single(bool is_on) noexcept { status_.is_single = is_on ? 1 : 0; }
+    void set_optional_stop(bool is_on) noexcept { status_.stops_at_optional = is_on ? 1 : 0; }
+    /// kProgram... bits of what is switched on now.
+    std::uint8_t switches() const noexcept {
+        return static_cast<std::uint8_t>((status_.is_single != 0 ? kProgramIsSingle : 0) |
+                                         (status_.stops_at_optional != 0 ? kProgramStopsAtOptional : 0));
+    }
     /// Its last block is done.
     void note_done() noexcept { status_.is_done = 1; }
     void end() noexcept {

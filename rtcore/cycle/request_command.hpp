@@ -36,6 +36,7 @@ inline constexpr std::array kRequestCommands{
     RequestCommand{RequestKind::run_program, CommandKind::program},
     RequestCommand{RequestKind::rapid_override, CommandKind::rapid_override},
     RequestCommand{RequestKind::single, CommandKind::single},
+    RequestCommand{RequestKind::optional_stop, CommandKind::optional_stop},
 };
 
 /// Nothing: the tick has no such request.

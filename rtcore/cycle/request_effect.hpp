@@ -31,6 +31,7 @@ constexpr bool sets_going(const Request& request) noexcept {
         case RequestKind::override:
         case RequestKind::rapid_override:
         case RequestKind::single:
+        case RequestKind::optional_stop:
         case RequestKind::fail:
         case RequestKind::end_jog:
         case RequestKind::record:

@@ -179,6 +179,7 @@ void Journal::note_program_state(MachineState before, MachineState entered, std:
         is_hold_told_ = false;
         facts.add("number", static_cast<std::int64_t>(program_.program));
         if (program_.is_single != 0) facts.add("single", std::int64_t{1});
+        if (program_.stops_at_optional != 0) facts.add("optional_stop", std::int64_t{1});
         return put(JournalKind::job, "program started", tick, std::move(facts));
     }
     const ProgramHold broken = std::exchange(broken_, ProgramHold::none);

@@ -134,6 +134,7 @@ JournalFacts facts_of_command(const ReceivedCommand& received) {
         case CommandKind::override:
         case CommandKind::rapid_override:
         case CommandKind::single:
+        case CommandKind::optional_stop:
             facts.add("value", as_sent(command.value));
             break;
         default:

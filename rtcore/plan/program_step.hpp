@@ -31,12 +31,12 @@ struct ProgramStep {
     std::array<std::int64_t, 2> centre_pulses{};  ///< of an arc: its head's, y's
 };
 
-/// Which record a motion is of, its line, whether that is a rapid way, and whether its line ends with it.
+/// Which record a motion is of, its line, whether that is a rapid way, and what comes behind it.
 struct RecordPlace {
     std::uint64_t line;
     std::uint64_t sequence;
     bool is_rapid;
-    bool ends_line;
+    std::uint8_t marks;  ///< cycle::kEndsLine, cycle::kOptionalStop
 };
 
 /// What a source has to give.

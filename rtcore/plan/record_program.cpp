@@ -25,6 +25,11 @@ constexpr int kMostStepsAtOnce = 4096;
 constexpr double kMostTolerances = 1000.0;
 constexpr double kLeastTolerance = 0.001;
 
+ProgramHold hold_of(StopReason reason) noexcept {
+    if (reason == StopReason::program) return ProgramHold::program;
+    return reason == StopReason::tool_change ? ProgramHold::tool_change : ProgramHold::optional;
+}
+
 // A rest may be left any way at once: what was jumped to it and what is jumped from it are not more than one
 // jump together.
 MachineLimits program_limits(MachineLimits limits) {
@@ -105,6 +110,7 @@ void RecordProgram::take(const ProgramStep& step) {
         const ProgramStep paced = at_the_programs_pace(step);
         return step.shape == cycle::OrderShape::straight ? take_way(paced) : take_stepped(paced);
     }
+    if (step.kind == MotionKind::stop && step.reason == StopReason::optional_on_way) return may_stop(step);
     come_to_rest();
     switch (step.kind) {
         case MotionKind::way:
@@ -120,31 +126,42 @@ void RecordProgram::take(const ProgramStep& step) {
             switch_outputs(step.outputs, step.is_on, step.line);
             break;
         case MotionKind::stop:
-            return halt(static_cast<ProgramHold>(step.reason), step.line);
+            return halt(hold_of(step.reason), step.line,
+                        step.reason == StopReason::optional_at_rest ? cycle::kOptionalStop : 0);
         case MotionKind::end:
             return end(step.line);
     }
     if (step.ends_block) end_line(step.line);
 }
 
+// Behind the way that was gathered last, if there is one: nothing else would know of it.
+void RecordProgram::may_stop(const ProgramStep& step) {
+    if (points_.size() > begin_ + 1) {
+        ways_.back().place.marks |= cycle::kOptionalStop;
+    } else {
+        halt(ProgramHold::optional, step.line, cycle::kOptionalStop);
+    }
+}
+
 // At rest. What of the line there was is done.
 void RecordProgram::end_line(std::uint64_t line) {
     if (is_single_) {
-        halt(ProgramHold::single, line);
+        halt_single(line);
     } else if (!blocks_.empty()) {
-        blocks_.back().ends_line = 1;
+        blocks_.back().marks |= cycle::kEndsLine;
     }
 }
 
 void RecordProgram::take_way(const ProgramStep& step) {
     if (is_very_long(step)) {
         take_very_long_way(step);
-        if (is_single_ && step.ends_block) halt(ProgramHold::single, step.line);
+        if (is_single_ && step.ends_block) halt_single(step.line);
         return;
     }
     const bool has_way = step.target_pulses != points_.back().pulses;
     // It may only bring to rest what it ends.
-    if (!has_way && step.ends_block && points_.size() > begin_ + 1) ways_.back().place.ends_line = true;
+    if (!has_way && step.ends_block && points_.size() > begin_ + 1)
+        ways_.back().place.marks |= cycle::kEndsLine;
     const bool is_exact = step.tolerance_mm <= 0.0;
     // An exact way has no tube of the ways before it.
     const double before_mm = tolerance_mm_;
@@ -157,7 +174,7 @@ void RecordProgram::take_way(const ProgramStep& step) {
     } else if (points_.size() > begin_ + part_points_ + kTailPoints) {
         go_ahead();
     }
-    if (halts) halt(ProgramHold::single, step.line);
+    if (halts) halt_single(step.line);
 }
 
 // From rest to rest.
@@ -167,7 +184,7 @@ void RecordProgram::take_stepped(const ProgramStep& step) {
     const Pulses4 from = points_.back().pulses;
     const bool halts = is_single_ && step.ends_block;
     if (step.target_pulses == from && step.kind != MotionKind::arc) {
-        if (halts) halt(ProgramHold::single, step.line);
+        if (halts) halt_single(step.line);
         return;
     }
     cycle::MotionOrder order{};
@@ -191,13 +208,13 @@ bool RecordProgram::next_stepped(MotionBlock& block) {
     if (stepped_->next(block) && block.kind != BlockKind::program_end) {
         set_program_line(block, line_);
         set_program_sequence(block, sequence_);
-        if (stepped_->is_last() && ends_behind_stepped_) block.ends_line = 1;
+        if (stepped_->is_last() && ends_behind_stepped_) block.marks = cycle::kEndsLine;
         return true;
     }
     stepped_.reset();
     blocks_.clear();
     next_ = 0;
-    if (halts_behind_stepped_) halt(ProgramHold::single, line_);
+    if (halts_behind_stepped_) halt_single(line_);
     return false;
 }
 
@@ -292,7 +309,7 @@ void RecordProgram::add_group(std::span<const RecordPlace> lines, unsigned joint
         set_program_sequence(block, lines[point].sequence);
         if (lines[point].is_rapid) block.way = cycle::WayKind::rapid;
         if (piece.point != PathPiece::kNoPoint && piece.point < lines.size()) {
-            if (lines[piece.point].ends_line && !is_single_) block.ends_line = 1;
+            block.marks = lines[piece.point].marks & marks_on_ways();
             if (piece.point + 1 < lines.size()) point = piece.point + 1;
         }
         if (!piece.rests && &piece != &pieces_.back()) continue;

@@ -64,11 +64,16 @@ private:
     ProgramStep at_the_programs_pace(const ProgramStep& step);
     bool is_very_long(const ProgramStep& step) const;
     void end_line(std::uint64_t line);
+    void may_stop(const ProgramStep& step);
     void take_way(const ProgramStep& step);
     void take_very_long_way(const ProgramStep& step);
     void take_stepped(const ProgramStep& step);
     bool next_stepped(cycle::MotionBlock& block);
     void add_way(const ProgramStep& step);
+    /// Of those that ways bear: with is_single_ each line ends in a halt of its own.
+    std::uint8_t marks_on_ways() const noexcept {
+        return is_single_ ? cycle::kOptionalStop : cycle::kOptionalStop | cycle::kEndsLine;
+    }
     void come_to_rest();
     void go_ahead();
     std::size_t plan_up_to_rests();
@@ -88,7 +93,9 @@ private:
     Timings least_pace2(const ProgramStep& step, std::size_t first) const;
     std::vector<RecordPlace> lines_of(std::size_t first, std::size_t last) const;
     void add_group(std::span<const RecordPlace> lines, unsigned joints, bool feed_follows = false);
-    void halt(ProgramHold hold, std::uint64_t line);
+    /// `marks`: it waits only where one of them is wanted; 0: always.
+    void halt(ProgramHold hold, std::uint64_t line, std::uint8_t marks = 0);
+    void halt_single(std::uint64_t line) { halt(ProgramHold::single, line, cycle::kEndsLine); }
     cycle::MotionBlock& add_switch(std::uint64_t line);
     void switch_spindle(bool is_on, std::uint64_t line);
     void switch_outputs(SwitchedOutputs outputs, bool is_on, std::uint64_t line);

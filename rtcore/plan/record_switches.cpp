@@ -17,8 +17,10 @@ MotionBlock& RecordProgram::add_block(BlockKind kind, std::uint64_t line) {
     return block;
 }
 
-void RecordProgram::halt(ProgramHold hold, std::uint64_t line) {
-    add_block(BlockKind::halt, line).halt = hold;
+void RecordProgram::halt(ProgramHold hold, std::uint64_t line, std::uint8_t marks) {
+    MotionBlock& block = add_block(BlockKind::halt, line);
+    block.halt = hold;
+    block.marks = marks;
 }
 
 void RecordProgram::dwell(std::int64_t ticks, std::uint64_t line) {

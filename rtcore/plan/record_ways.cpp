@@ -148,8 +148,8 @@ void RecordProgram::add_way(const ProgramStep& step) {
     }
     points_.push_back({step.target_pulses, 0, 0, false});
     ways_.resize(points_.size(),
-                 {{step.line, step.sequence, step.is_rapid, false}, least_pace2(step, first), 0.0});
-    ways_.back().place.ends_line = step.ends_block;
+                 {{step.line, step.sequence, step.is_rapid, 0}, least_pace2(step, first), 0.0});
+    ways_.back().place.marks = step.ends_block ? cycle::kEndsLine : 0;
     ways_.back().longer_by_s = std::exchange(longer_by_s_, 0.0);
 }
 

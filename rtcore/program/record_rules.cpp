@@ -62,7 +62,7 @@ bool is_known(const MotionRecord& record) noexcept {
             return record.code <= 1 && (record.outputs & ~kAllSwitchedOutputs) == 0;
         case MotionKind::stop:
             return record.code >= static_cast<std::uint8_t>(StopReason::program) &&
-                   record.code <= static_cast<std::uint8_t>(StopReason::tool_change);
+                   record.code <= static_cast<std::uint8_t>(StopReason::optional_on_way);
         default:
             return false;
     }

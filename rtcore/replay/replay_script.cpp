@@ -158,7 +158,7 @@ ReplayScript script_of(const Records& records, Records::const_iterator first, Re
     script.start_levels = first->signals;
     std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
     cycle::MotionOrder order{};
-    bool begun_single = false;
+    std::uint8_t begun_switches = 0;
     for (const CommandKind kind : {CommandKind::override, CommandKind::rapid_override}) {
         auto override_step = override_before(records, first, kind);
         if (!override_step) continue;
@@ -170,7 +170,7 @@ ReplayScript script_of(const Records& records, Records::const_iterator first, Re
         script.end_tick = std::max(script.end_tick, record->tick - first->tick);
         // A job that is loaded carves as planned, and is no step: it is not in the script's hands.
         if (is_done(*record, RecordKind::job)) std::erase_if(script.steps, is_override_step);
-        if (is_of_program(*record, ProgramEvent::begun)) begun_single = program_detail_of(*record) != 0;
+        if (is_of_program(*record, ProgramEvent::begun)) begun_switches = program_detail_of(*record);
         if (record->kind == RecordKind::order) {
             add_part(order, *record);
             continue;
@@ -179,7 +179,7 @@ ReplayScript script_of(const Records& records, Records::const_iterator first, Re
             step->tick = record->tick - first->tick;
             if (record->kind == RecordKind::command) step->order = std::exchange(order, {});
             // A command's record has no room for it; the begin is told before the answer.
-            if (is_program(*record)) step->axis = begun_single ? 1 : 0;
+            if (is_program(*record)) step->axis = begun_switches;
             script.steps.push_back(*step);
         }
     }

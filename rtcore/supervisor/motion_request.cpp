@@ -213,13 +213,14 @@ Result<Request> motion_request(const Command& command, RequestKind kind, const P
         request.value = command.axis & ((1U << kAxisCount) - 1U);
     } else if (kind == RequestKind::start) {
         added = add_layers(request, command);
-    } else if (kind == RequestKind::spindle || kind == RequestKind::single) {
+    } else if (kind == RequestKind::spindle || kind == RequestKind::single ||
+               kind == RequestKind::optional_stop) {
         request.value = command.value != 0.0 ? 1 : 0;
     } else if (kind == RequestKind::override || kind == RequestKind::rapid_override) {
         request.value = percent_of(command.value);
     } else if (kind == RequestKind::run_program) {
         request.value = command.value2;
-        request.axis = command.axis & kProgramIsSingle;
+        request.axis = command.axis & (kProgramIsSingle | kProgramStopsAtOptional);
     } else if (kind == RequestKind::record) {
         added = add_recording(request, command);
     }

@@ -89,7 +89,8 @@ Message refusal_message(const cycle::Report& answer, CommandKind command, const 
         case R::bad_rapid_override:
             return message_of(MessageId::bad_rapid_override);
         case R::no_program:
-            return message_of(MessageId::no_program_runs);
+            return command == CommandKind::optional_stop ? message_of(MessageId::no_program_for_optional_stop)
+                                                         : message_of(MessageId::no_program_runs);
     }
     return message_of(MessageId::refused);
 }

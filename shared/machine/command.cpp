@@ -48,6 +48,8 @@ std::string_view name_of(CommandKind kind) noexcept {
             return "override of rapids";
         case CommandKind::single:
             return "single";
+        case CommandKind::optional_stop:
+            return "optional-stop";
     }
     return "unknown";  // a number from shared memory may be anything
 }

@@ -42,8 +42,9 @@ enum class CommandKind : std::uint32_t {
     rapid_override = 20,  ///< value: so many per cent of the speed of a program's rapid ways, whole, 10 to
                           ///< 100
     single = 21,          ///< value: 1 the program that runs rests at the end of each line, 0 it does not
+    optional_stop = 22,   ///< value: 1 the program that runs waits at each M1 from here on, 0 it does not
 };
-inline constexpr std::uint32_t kCommandKindCount = 22;
+inline constexpr std::uint32_t kCommandKindCount = 23;
 std::string_view name_of(CommandKind kind) noexcept;  ///< as on the command line: "start-interpolation"
 
 inline constexpr std::uint32_t kLeastOverride_percent = 10;
@@ -58,6 +59,8 @@ inline constexpr std::uint32_t kStartResumesWithin = 4;
 
 /// Of a program: it waits for a resume after each of its blocks.
 inline constexpr std::uint32_t kProgramIsSingle = 1;
+/// Of a program: it waits at each M1.
+inline constexpr std::uint32_t kProgramStopsAtOptional = 2;
 
 /// How a move gets to its target.
 enum class MoveShape : std::uint32_t {

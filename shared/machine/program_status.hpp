@@ -7,7 +7,7 @@
 
 namespace psicarve {
 
-/// Why a program waits though nobody asked it to hold. The first three are those of StopReason.
+/// Why a program waits though nobody asked it to hold.
 enum class ProgramHold : std::uint8_t {
     none = 0,
     program = 1,      ///< M0, M60
@@ -36,7 +36,7 @@ struct ProgramStatus {
     ProgramHold hold;           ///< none: it moves, or a command holds it
     std::uint8_t is_single;
     std::uint8_t is_done;  ///< 1: all of it that the core took is run; not so after a stop or an alarm
-    std::uint8_t reserved;
+    std::uint8_t stops_at_optional;  ///< 1: it waits at the M1 that the machine comes to next
 };
 static_assert(sizeof(ProgramStatus) == 40 && std::is_trivially_copyable_v<ProgramStatus>);
 

@@ -4,6 +4,18 @@
 #include "shared/machine/command.hpp"
 
 namespace psicarve {
+namespace {
+
+void take_switch(ProgramStatus& program, const FlightRecord& record) noexcept {
+    if (record.kind != RecordKind::command || record.answer != static_cast<std::uint32_t>(AnswerKind::done))
+        return;
+    const std::uint8_t is_on = record.value != 0 ? 1 : 0;
+    if (record.code == static_cast<std::uint16_t>(CommandKind::single)) program.is_single = is_on;
+    if (record.code == static_cast<std::uint16_t>(CommandKind::optional_stop))
+        program.stops_at_optional = is_on;
+}
+
+}  // namespace
 
 std::string_view name_of(ProgramEvent event) noexcept {
     switch (event) {
@@ -40,10 +52,7 @@ void take_record(ProgramStatus& program, const FlightRecord& record) noexcept {
         program.is_running = 0;
         program.hold = ProgramHold::none;
     }
-    if (record.kind == RecordKind::command &&
-        record.code == static_cast<std::uint16_t>(CommandKind::single) &&
-        record.answer == static_cast<std::uint32_t>(AnswerKind::done))
-        program.is_single = record.value != 0 ? 1 : 0;
+    take_switch(program, record);
     if (record.kind != RecordKind::program || (record.code & 0xFFU) >= kProgramEventCount) return;
     const ProgramEvent event = program_event_of(record);
     const std::uint8_t detail = program_detail_of(record);
@@ -51,7 +60,8 @@ void take_record(ProgramStatus& program, const FlightRecord& record) noexcept {
         program = ProgramStatus{};
         program.program = static_cast<std::uint64_t>(record.value);
         program.is_running = 1;
-        program.is_single = detail != 0 ? 1 : 0;
+        program.is_single = (detail & kProgramIsSingle) != 0 ? 1 : 0;
+        program.stops_at_optional = (detail & kProgramStopsAtOptional) != 0 ? 1 : 0;
         return;
     }
     program.line = static_cast<std::uint64_t>(record.value);

@@ -14,7 +14,7 @@ namespace psicarve {
 
 /// What the flight recorder tells of a program: low byte of the code of its records.
 enum class ProgramEvent : std::uint8_t {
-    begun = 0,  ///< value: the program's number; detail: 1 one block at a time
+    begun = 0,  ///< value: the program's number; detail: kProgram... bits of its command
     line = 1,   ///< it is in that line: at most once a second, while it moves
     held = 2,   ///< it rests; detail: ProgramHold, none where a command holds it. starved: it did, axis
                 ///< times since it was told so (kNoAxis: once), and goes on without a word

@@ -71,6 +71,7 @@ enum class MessageId : std::uint16_t {
     bad_rapid_override = 81,
     no_program_runs = 82,
     no_such_point = 83,
+    no_program_for_optional_stop = 84,
 
     // Outputs by hand, recordings, records of pieces.
     pins_need_drives_off = 90,

@@ -22,9 +22,11 @@ enum class MotionKind : std::uint8_t {
 
 /// Why a program waits for the operator. The numbers are part of the segment's layout.
 enum class StopReason : std::uint8_t {
-    program = 1,      ///< M0, M60
-    optional = 2,     ///< M1, with the switch for it on
-    tool_change = 3,  ///< M6
+    program = 1,           ///< M0, M60
+    optional = 2,          ///< M1, whatever the switch says: of writers before layout 18
+    tool_change = 3,       ///< M6
+    optional_at_rest = 4,  ///< M1: rests, and waits if the switch for it is on by then
+    optional_on_way = 5,   ///< M1: neither, unless the switch is on when the machine comes there
 };
 
 /// Which way an arc runs, seen with its head's axis to the right and y upwards. The numbers are part of the

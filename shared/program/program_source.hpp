@@ -6,21 +6,13 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "shared/machine/program_origin.hpp"
 #include "shared/machine/signal.hpp"
 
 namespace psicarve {
 
 inline constexpr std::size_t kSourceNumbers = 120;
-inline constexpr std::size_t kSourceNameBytes = 256;
 inline constexpr std::size_t kSourceProfileBytes = 48UL * 1024UL;
-
-/// Flags of a source, one bit each.
-inline constexpr std::uint32_t kSourceIsStream = 1;  ///< it came once: neither size nor sum of its text
-inline constexpr std::uint32_t kSourceStopsAtOptional = 2;
-inline constexpr std::uint32_t kSourceSkipsDeleted = 4;
-inline constexpr std::uint32_t kSourceIsDry = 8;
-inline constexpr std::uint32_t kSourceIsIso = 16;
-inline constexpr std::uint32_t kSourceIsSingle = 32;
 
 /// Of which text a program's records are, and how it was read: all that is needed to make the same records of
 /// the same text. Written by the program's writer. Nothing moves by it; whoever reads it trusts none of it.

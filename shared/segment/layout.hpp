@@ -25,7 +25,7 @@ namespace psicarve {
 // command.hpp or job.hpp bumps kLayoutVersion; the ABI hash catches whoever forgets.
 
 inline constexpr std::uint64_t kSegmentMagic = 0x3147455341435350ULL;  // "PSCASEG1"
-inline constexpr std::uint32_t kLayoutVersion = 17;
+inline constexpr std::uint32_t kLayoutVersion = 18;
 /// The first whose CoreStatus and FlightRecord are today's: snapshots of it and all since can be read. Before
 /// 10 is_dry had 16 bits: its high byte, always 0, is now is_left_forecast.
 inline constexpr std::uint32_t kOldestStatusVersion = 4;

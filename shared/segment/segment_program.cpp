@@ -2,6 +2,8 @@
 #include "shared/segment/segment_program.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <string>
 
 #include "shared/base/message_text.hpp"
@@ -47,6 +49,22 @@ ProgramPut put_of(RingAnswer answer) noexcept {
         default:
             return ProgramPut::damaged;
     }
+}
+
+/// Without the profile, which is most of a source.
+std::optional<ProgramOrigin> origin_of(const ProgramControl& control, std::uint64_t program) noexcept {
+    const auto head = read_record_head<offsetof(ProgramSource, profile)>(control.source);
+    std::uint64_t told_program = 0;
+    const auto take = [&](std::size_t offset, auto& value) {
+        std::memcpy(&value, reinterpret_cast<const char*>(head->data()) + offset, sizeof value);
+    };
+    if (head) take(offsetof(ProgramSource, program), told_program);
+    if (told_program == 0 || told_program != program) return std::nullopt;
+    ProgramOrigin origin;
+    take(offsetof(ProgramSource, from_line), origin.from_line);
+    take(offsetof(ProgramSource, flags), origin.flags);
+    take(offsetof(ProgramSource, name), origin.name);
+    return origin;
 }
 
 }  // namespace
@@ -257,6 +275,7 @@ ProgramReport program_report(const Segment& segment) noexcept {
     if (refusal && refusal->program != 0 && refusal->program == report.progress.program)
         report.refusal = *refusal;
     if (modes && modes->program != 0 && modes->program == report.status.program) report.modes = *modes;
+    report.origin = origin_of(control, report.status.program);
     report.ring_records = segment.header().capacity_records;
     // Both ends move meanwhile, and either may be overwritten.
     const std::uint64_t taken = control.ends.taken.load();

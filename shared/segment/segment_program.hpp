@@ -91,9 +91,10 @@ struct ProgramReport {
     ProgramProgress progress{};    ///< of the program that runs, or ran last
     std::optional<ProgramRefusal> refusal{};  ///< of that program
     std::optional<ProgramModes>
-        modes{};                     ///< of the program of `status`; its writer tells them, some time later
-    std::uint32_t queued = 0;        ///< records in the ring
-    std::uint32_t ring_records = 0;  ///< that it has room for
+        modes{};  ///< of the program of `status`; its writer tells them, some time later
+    std::optional<ProgramOrigin> origin{};  ///< of the program of `status`; nothing: not told
+    std::uint32_t queued = 0;               ///< records in the ring
+    std::uint32_t ring_records = 0;         ///< that it has room for
 };
 ProgramReport program_report(const Segment& segment) noexcept;
 /// Of the program that runs, or ran last, and what the core has taken of it. Null: its writer told nothing.

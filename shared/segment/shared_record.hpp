@@ -71,6 +71,24 @@ std::optional<T> read_record(const SharedRecord<T>& record, int retries = kRecor
     return std::nullopt;
 }
 
+/// The same of its first bytes alone, as words: for a large record of which a small part is wanted often.
+template <std::size_t kBytes, typename T>
+std::optional<std::array<std::uint64_t, kBytes / 8>> read_record_head(
+    const SharedRecord<T>& record) noexcept {
+    static_assert(kBytes % 8 == 0 && kBytes <= sizeof(T));
+    for (int attempt = 0; attempt < kRecordRetries; ++attempt) {
+        const std::uint64_t before = record.sequence.load(std::memory_order_acquire);
+        std::array<std::uint64_t, kBytes / 8> head;
+        for (std::size_t index = 0; index < head.size(); ++index)
+            head[index] = record.words[index].load(std::memory_order_acquire);
+        const bool is_whole = (before & 1U) == 0 && record.sequence.load(std::memory_order_relaxed) == before;
+        if (is_whole) return head;
+        const int yields = attempt - kRetriesBeforeYield;
+        if (yields >= 0 && yields < kMostYields) ::sched_yield();
+    }
+    return std::nullopt;
+}
+
 /// One writer only. Never waits; overwrites the oldest.
 template <typename T, std::size_t kEntries>
 void append_to_ring(SharedRing<T, kEntries>& ring, const T& value) noexcept {

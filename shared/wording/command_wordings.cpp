@@ -175,6 +175,11 @@ constexpr std::array kCommandWordings{
             "start: a layer has %1 points, from 0 on: no carving begins beyond them, nor with its last",
             "name another point, or the next layer",
             {{K::count, "point_count"}}},
+    Wording{Id::no_program_for_optional_stop,
+            "no_program_for_optional_stop",
+            "optional-stop: no program runs",
+            "",
+            {}},
 
     Wording{Id::pins_need_drives_off,
             "pins_need_drives_off",

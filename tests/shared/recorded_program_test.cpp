@@ -77,6 +77,19 @@ TEST(RecordedProgram, IsOneLineAtATimeAsItWasSwitchedLast) {
     EXPECT_EQ(recorded_program(records).is_single, 0U);
 }
 
+TEST(RecordedProgram, WaitsAtM1AsItWasBegunAndSwitchedLast) {
+    std::vector<FlightRecord> records{record_of(ProgramEvent::begun, 7)};
+    records[0].code = recorded_code(ProgramEvent::begun, kProgramStopsAtOptional);
+    EXPECT_EQ(recorded_program(records).stops_at_optional, 1U);
+    EXPECT_EQ(recorded_program(records).is_single, 0U);
+    FlightRecord off{};
+    off.kind = RecordKind::command;
+    off.code = static_cast<std::uint16_t>(CommandKind::optional_stop);
+    off.answer = static_cast<std::uint32_t>(AnswerKind::done);
+    records.push_back(off);
+    EXPECT_EQ(recorded_program(records).stops_at_optional, 0U);
+}
+
 // That of a core that is no more is told by its guard, which knows of no program.
 TEST(RecordedProgram, EndsWithAnAlarm) {
     FlightRecord alarm{};

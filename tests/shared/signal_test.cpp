@@ -56,6 +56,7 @@ TEST(CommandKind, NamesAreThoseOfTheCommandLine) {
     EXPECT_EQ(name_of(CommandKind::override), "override");
     EXPECT_EQ(name_of(CommandKind::rapid_override), "override of rapids");
     EXPECT_EQ(name_of(CommandKind::single), "single");
+    EXPECT_EQ(name_of(CommandKind::optional_stop), "optional-stop");
     EXPECT_EQ(name_of(CommandKind::program), "program");
     EXPECT_EQ(name_of(static_cast<CommandKind>(0xFFFFFFFF)), "unknown");
 }

@@ -185,6 +185,7 @@ TEST_F(DocumentedExamples, RunInTheirOrder) {
                  done({"start"});
              }},
         {.begins = "psicarve single on", .exit_code = 4, .says = "no program runs"},
+        {.begins = "psicarve optional-stop on", .exit_code = 4, .says = "no program runs"},
         {.begins = "psicarve back-off", .exit_code = 4, .says = "there is no alarm"},
         {.begins = "psicarve jog r1", .before = homed},
         {.begins = "psicarve jog psi +", .goes_on = true},

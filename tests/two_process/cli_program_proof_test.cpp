@@ -99,6 +99,7 @@ std::string mixed_program(std::uint32_t seed, int lines) {
         const double up_mm = 10.0 + 0.01 * static_cast<double>(random() % 400);
         if (kind == 0) text += random() % 3 == 0 ? "G61\n" : "G64 P0.03\n";
         if (kind == 1) text += "G4 P0.02\n";
+        if (kind == 2 || kind == 7) text += "M1\n";
         const char* const form = kind < 4    ? "G0 X%.3f Y%.3f\n"
                                  : kind == 9 ? "G1 X%.3f\nG2 X%.3f I0.5 J0\n"
                                              : "G1 X%.3f Y%.3f\n";
@@ -112,8 +113,8 @@ std::string mixed_program(std::uint32_t seed, int lines) {
     return text + "M2\n";
 }
 
-// Both overrides, holds and single block, at random instants: as without them, and right as the run itself
-// says.
+// Both overrides, holds, single block and optional stop, at random instants: as without them, and right as
+// the run itself says.
 TEST_F(SamePulses, KeepTheirOrderWhateverIsSwitchedAndAreRight) {
     const std::uint32_t seeds = is_long_run() ? 20 : kIsSanitized ? 1 : 3;
     for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
@@ -129,6 +130,7 @@ TEST_F(SamePulses, KeepTheirOrderWhateverIsSwitchedAndAreRight) {
                 (void)command(CommandKind::override, 10.0 + static_cast<double>(random_() % 91));
                 (void)command(CommandKind::rapid_override, 10.0 + static_cast<double>(random_() % 91));
                 (void)command(CommandKind::single, random_() % 3 != 0 ? 1.0 : 0.0);
+                (void)command(CommandKind::optional_stop, random_() % 2 != 0 ? 1.0 : 0.0);
                 if (random_() % 3 == 0) (void)command(CommandKind::hold);
                 std::this_thread::sleep_for(std::chrono::microseconds{random_() % 3'000});
                 if (program_status().hold == ProgramHold::single) ++halts;

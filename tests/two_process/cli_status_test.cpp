@@ -81,7 +81,8 @@ TEST_F(Status, NamesTheLineInWhichAnAlarmBrokeAProgramOff) {
         std::string::npos)
         << running.error();
     EXPECT_EQ(running.error().find(".;"), std::string::npos) << running.error();
-    EXPECT_NE(run({"status"}).out.find("program    the last one ended in line 3 "), std::string::npos)
+    EXPECT_NE(run({"status"}).out.find("program    the last one (stops.ngc) ended in line 3 "),
+              std::string::npos)
         << run({"status"}).out;
     const auto told = run({"status", "--json"}).json();
     EXPECT_EQ(told["program"], nullptr);

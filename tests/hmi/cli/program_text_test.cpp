@@ -9,6 +9,7 @@
 #include "hmi/cli/program_sight.hpp"
 #include "hmi/gcode/code_groups.hpp"
 #include "hmi/report/program_modes.hpp"
+#include "hmi/report/program_origin.hpp"
 #include "shared/base/message_text.hpp"
 #include "shared/wording/wording.hpp"
 
@@ -36,7 +37,8 @@ ProgramReport refused_report(ProgramHold hold) {
 
 TEST(ProgramText, SaysWhyItIsHeldAndWhatGoesOn) {
     EXPECT_EQ(program_text(held_report(ProgramHold::none), {}, nullptr),
-              "program    line 8\nqueue      0 of 0 records\n");
+              "program    no. 3, line 8\nswitches   not told how it is read\n"
+              "queue      0 of 0 records; it had to wait for more 0 times\n");
     EXPECT_EQ(program_place_text(held_report(ProgramHold::tool_change)),
               "line 8: held, tool change; psicarve resume goes on");
     EXPECT_EQ(program_place_text(held_report(ProgramHold::starved)),
@@ -52,8 +54,8 @@ TEST(ProgramText, NamesTheLineInWhichTheLastOneWasBrokenOff) {
     EXPECT_EQ(program_text(report, machine, nullptr),
               "program    the last one ended in line 8 of its program; gcode run FILE --from-line 8 begins "
               "where that line is reached first, once the machine is homed\n");
-    EXPECT_EQ(last_program_json(report.status)["line"], 8);
-    EXPECT_EQ(last_program_json(report.status)["is_done"], false);
+    EXPECT_EQ(last_program_json(report)["line"], 8);
+    EXPECT_EQ(last_program_json(report)["is_done"], false);
     EXPECT_EQ(program_json(report, machine, nullptr), nullptr);
     machine.state = MachineState::ready;
     machine.homed_mask = 0xF;
@@ -65,10 +67,90 @@ TEST(ProgramText, NamesTheLineInWhichTheLastOneWasBrokenOff) {
     machine.state = MachineState::ready;
     report.status.is_done = 1;
     EXPECT_EQ(program_text(report, machine, nullptr), "");
-    EXPECT_EQ(last_program_json(report.status)["is_done"], true);
+    EXPECT_EQ(last_program_json(report)["is_done"], true);
     report.status = {};
     EXPECT_EQ(program_text(report, machine, nullptr), "") << "none yet";
-    EXPECT_EQ(last_program_json(report.status), nullptr);
+    EXPECT_EQ(last_program_json(report), nullptr);
+}
+
+ProgramOrigin origin_named(const std::string& name, std::uint32_t flags = 0, std::uint64_t from_line = 0) {
+    ProgramOrigin origin;
+    origin.from_line = from_line;
+    origin.flags = flags;
+    name.copy(static_cast<char*>(origin.name), sizeof origin.name);
+    return origin;
+}
+
+TEST(ProgramText, TellsWhichProgramRunsAndItsSwitches) {
+    ProgramReport report = held_report(ProgramHold::none);
+    report.origin = origin_named("/parts/left/pocket.ngc");
+    EXPECT_EQ(program_text(report, {}, nullptr),
+              "program    pocket.ngc (no. 3), line 8\nswitches   none\n"
+              "queue      0 of 0 records; it had to wait for more 0 times\n");
+    EXPECT_EQ(named_place_text(report), "pocket.ngc, line 8");
+    report.status.is_single = 1;
+    report.status.stops_at_optional = 1;
+    report.origin = origin_named("-", kSourceIsStream | kSourceSkipsDeleted | kSourceIsDry | kSourceIsIso, 5);
+    EXPECT_EQ(program_text(report, {}, nullptr),
+              "program    standard input (no. 3), line 8\n"
+              "switches   single block, optional stop, block delete, dry run, ISO dialect, from line 5\n"
+              "queue      0 of 0 records; it had to wait for more 0 times\n");
+    report.status.is_single = 0;
+    report.origin = origin_named("/run/psicarve-77.ngc", kSourceIsTyped | kSourceIsSingle);
+    EXPECT_EQ(named_place_text(report), "a typed block, line 8");
+    EXPECT_NE(program_text(report, {}, nullptr).find("switches   optional stop\n"), std::string::npos)
+        << "single was switched off since";
+    report.origin.reset();
+    EXPECT_EQ(named_place_text(report), "no. 3, line 8");
+    EXPECT_NE(program_text(report, {}, nullptr).find("optional stop; not told how it is read\n"),
+              std::string::npos);
+}
+
+TEST(ProgramText, HasWhichProgramRunsAndItsSwitchesInJson) {
+    ProgramReport report = held_report(ProgramHold::none);
+    auto json = program_json(report, {}, nullptr);
+    for (const char* const key : {"name", "source", "from_line", "block_delete", "dry_run", "dialect"})
+        EXPECT_TRUE(json.at(key).is_null()) << key;
+    EXPECT_EQ(json["optional_stop"], false);
+    report.status.stops_at_optional = 1;
+    report.origin = origin_named("/parts/pocket.ngc", kSourceSkipsDeleted);
+    json = program_json(report, {}, nullptr);
+    EXPECT_EQ(json["name"], "pocket.ngc");
+    EXPECT_EQ(json["source"], "file");
+    EXPECT_EQ(json["from_line"], 1);
+    EXPECT_EQ(json["block_delete"], true);
+    EXPECT_EQ(json["dry_run"], false);
+    EXPECT_EQ(json["dialect"], "ngc");
+    EXPECT_EQ(json["optional_stop"], true);
+    EXPECT_EQ(json["starvations"], 0);
+    report.origin = origin_named("-", kSourceIsStream | kSourceIsDry | kSourceIsIso, 7);
+    json = program_json(report, {}, nullptr);
+    EXPECT_TRUE(json["name"].is_null());
+    EXPECT_EQ(json["source"], "stream");
+    EXPECT_EQ(json["from_line"], 7);
+    EXPECT_EQ(json["dry_run"], true);
+    EXPECT_EQ(json["dialect"], "iso");
+    report.status.is_running = 0;
+    report.origin = origin_named("pocket.ngc");
+    EXPECT_EQ(last_program_json(report)["name"], "pocket.ngc");
+    EXPECT_NE(program_text(report, {}, nullptr).find("the last one (pocket.ngc) ended in line 8 "),
+              std::string::npos);
+}
+
+// Any bytes may stand there.
+TEST(ProgramText, ShowsWhateverNameAsOneLineThatSteersNothing) {
+    const auto shown = [](const std::string& name) { return report::file_name_of(origin_named(name)); };
+    EXPECT_EQ(shown("a"), "a");
+    EXPECT_EQ(shown(std::string(kSourceNameBytes - 1, 'n')), std::string(kSourceNameBytes - 1, 'n'));
+    EXPECT_EQ(shown(std::string(kSourceNameBytes, 'n')), std::string(kSourceNameBytes, 'n')) << "no zero";
+    EXPECT_EQ(shown("k\xC3\xA4se.ngc"), "k\xC3\xA4se.ngc");
+    EXPECT_EQ(shown("torn\xC3"), "torn\\xc3");
+    EXPECT_EQ(shown("\x1B[2J\n\tx"), "\\u001b[2J\\u000a\\u0009x");
+    EXPECT_EQ(shown(""), "?");
+    EXPECT_EQ(shown("folder/"), "?");
+    ProgramReport report = held_report(ProgramHold::none);
+    report.origin = origin_named("\xFF\xFE", 0xFFFF'FF00U, 0xFFFF'FFFF'FFFF'FFFFU);
+    EXPECT_FALSE(program_json(report, {}, nullptr).dump().empty()) << "is UTF-8";
 }
 
 TEST(ProgramText, SaysWhichLineTheCoreRefusedAndWhy) {
@@ -118,7 +200,8 @@ TEST(ProgramText, TellsWhatHoldsAndHowFarItIs) {
     machine.position_pulses[index_of(Axis::r1)] = 400 * 39;
     machine.position_pulses[index_of(Axis::r2)] = 400 * 40;
     EXPECT_EQ(program_text(told_report(), machine, &profile),
-              "program    line 8\n"
+              "program    no. 3, line 8\n"
+              "switches   not told how it is read\n"
               "modes      G2 G59.1 M3; F 0.25, S 0, T 0\n"
               "zero       G59.1: r1 1.000 mm, r2 0.000 mm, psi 270.000 deg, y 2.500 mm\n"
               "to go      r1 1.000 mm, r2 0.000 mm, psi 90.000 deg, y 5.000 mm\n"

@@ -199,7 +199,8 @@ TEST_F(SnapshotCommand, InfoTellsWhereAProgramWas) {
                                                          "hold":"tool change","is_done":false})"));
     EXPECT_EQ(info["records"][0]["kind"], "program");
     EXPECT_EQ(info["records"][0]["code"], "begun");
-    EXPECT_EQ(info["records"][0]["program"], nlohmann::json::parse(R"({"number":7,"single":true})"));
+    EXPECT_EQ(info["records"][0]["program"],
+              nlohmann::json::parse(R"({"number":7,"optional_stop":false,"single":true})"));
     EXPECT_EQ(info["records"][1]["program"], nlohmann::json::parse(R"({"line":4,"sequence":9})"));
     EXPECT_EQ(info["records"][2]["code"], "held");
     EXPECT_EQ(info["records"][2]["program"]["hold"], "tool change");
@@ -224,19 +225,21 @@ TEST_F(SnapshotCommand, InfoTellsWhatWasSwitchedAndHowOftenAProgramStarved) {
     rest.status = CoreStatus{};
     rest.records = {of_program(ProgramEvent::begun, 7), of_program(ProgramEvent::held, 8, 34, 5)};
     rest.records.back().axis = 3;
-    for (const CommandKind kind : {CommandKind::rapid_override, CommandKind::single}) {
+    for (const CommandKind kind :
+         {CommandKind::rapid_override, CommandKind::single, CommandKind::optional_stop}) {
         FlightRecord record{};
         record.kind = RecordKind::command;
         record.code = static_cast<std::uint16_t>(kind);
         record.axis = kNoAxis;
-        record.value = kind == CommandKind::single ? 1 : 40;
+        record.value = kind == CommandKind::rapid_override ? 40 : 1;
         record.answer = static_cast<std::uint32_t>(AnswerKind::done);
         rest.records.push_back(record);
     }
     const std::string path = save("a.snap", small_table(), rest);
     const Outcome plain = psicarve({"snapshot", "info", path});
-    for (const char* told : {"program line 8 (record 34): held, starved 3 times  r1",
-                             "command override of rapids done 40  r1", "command single done on  r1"})
+    for (const char* told :
+         {"program line 8 (record 34): held, starved 3 times  r1", "command override of rapids done 40  r1",
+          "command single done on  r1", "command optional-stop done on  r1"})
         EXPECT_NE(plain.out.find(told), std::string::npos) << told << "\n" << plain.out;
     const auto info = psicarve({"snapshot", "info", path, "--json"}).json();
     EXPECT_EQ(info["records"][1]["program"]["starvations"], 3);

@@ -154,10 +154,29 @@ TEST(RecordMaker, EndsABlockWithTheLastChordOfItsArc) {
 TEST(RecordMaker, WaitsForTheOperatorWhereTheProgramStops) {
     RunOptions how;
     EXPECT_EQ(steps_of(made_records("M0\nM1\nM60\nM6\nM2\n", how)),
-              (Steps{"1 stop1*", "3 stop1*", "4 stop3*", "5 end*"}));
+              (Steps{"1 stop1*", "2 stop5*", "3 stop1*", "4 stop3*", "5 end*"}));
     how.stops_at_optional = true;
     EXPECT_EQ(steps_of(made_records("M0\nM1\nM60\nM6\nM2\n", how)),
-              (Steps{"1 stop1*", "2 stop2*", "3 stop1*", "4 stop3*", "5 end*"}));
+              (Steps{"1 stop1*", "2 stop4*", "3 stop1*", "4 stop3*", "5 end*"}));
+}
+
+// Where the switch is off the block ends with its way, as without an M1.
+TEST(RecordMaker, EndsABlockWithTheWayBeforeAnM1ThatMayBePassed) {
+    RunOptions how;
+    EXPECT_EQ(steps_of(made_records("G0 Y1 M1\nG0 Y2\nM2\n", how)),
+              (Steps{"1 way*", "1 stop5*", "2 way*", "3 end*"}));
+    how.stops_at_optional = true;
+    EXPECT_EQ(steps_of(made_records("G0 Y1 M1\nG0 Y2\nM2\n", how)),
+              (Steps{"1 way", "1 stop4*", "2 way*", "3 end*"}));
+}
+
+// The records of a snapshot before layout 18 are to be made again.
+TEST(RecordMaker, MakesTheRecordsOfBeforeM1WasSwitched) {
+    RunOptions how;
+    how.has_optional_stops = false;
+    EXPECT_EQ(steps_of(made_records("G0 Y1 M1\nM2\n", how)), (Steps{"1 way*", "2 end*"}));
+    how.stops_at_optional = true;
+    EXPECT_EQ(steps_of(made_records("G0 Y1 M1\nM2\n", how)), (Steps{"1 way", "1 stop2*", "2 end*"}));
 }
 
 TEST(RecordMaker, EndsWhereTheProgramEndsOrAStreamDoes) {

@@ -40,6 +40,9 @@ TEST(RunRequest, HasEverySwitchUnderItsOwnName) {
     one = {};
     one.is_dry = true;
     EXPECT_EQ(made(one), with({"--dry-run"}));
+    request.is_typed = true;
+    EXPECT_EQ(made({}), with({"--mdi"}));
+    request.is_typed = false;
     EXPECT_EQ(made({true, true, true, true, 120}), with({"--from-line", "120", "--unattended", "--single",
                                                          "--optional-stop", "--block-delete", "--dry-run"}));
 }

@@ -178,7 +178,7 @@ TEST_F(ProgramPageOf, LeavesAProgramRunningWhenTheWindowIsClosed) {
     open_in_front();
     show_page("program_page");
     ASSERT_TRUE(holds_in_line(3, ProgramHold::program));
-    EXPECT_TRUE(state_of_page().contains(" of another process runs. Line 3: "))
+    EXPECT_TRUE(state_of_page().contains(" runs, of another process. Line 3: "))
         << state_of_page().toStdString();
     EXPECT_EQ(text_view().running_line(), 0U) << "nobody knows which file it is of";
     ASSERT_TRUE(click("resume"));
@@ -242,6 +242,28 @@ TEST_F(ProgramPageOf, SwitchesSingleBlockWhileItRuns) {
     ASSERT_TRUE(click("resume"));
     ASSERT_TRUE(is_over(true));
     EXPECT_FALSE(desk().switches.is_single) << "that of the next start is as it was";
+}
+
+TEST_F(ProgramPageOf, SwitchesOptionalStopWhileItRuns) {
+    ASSERT_NO_FATAL_FAILURE(have_homed_window());
+    ASSERT_TRUE(opens("G21 G90 F300\nG0 X40 Z41 Y5\nM0\nG1 Y7\nM1\nG1 X39\nM1\nG1 Y8\nM2\n"));
+    ASSERT_TRUE(click("program_start"));
+    ASSERT_TRUE(holds_in_line(3, ProgramHold::program));
+    window_->refresh();
+    EXPECT_TRUE(button("program_optional").isEnabled());
+    EXPECT_FALSE(button("program_optional").isChecked());
+    EXPECT_FALSE(button("program_delete").isEnabled()) << "that is decided where the block is read";
+    ASSERT_TRUE(click("program_optional"));
+    ASSERT_TRUE(comes_true([&] { return window_->context().program_report.status.stops_at_optional != 0; }));
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(holds_in_line(4, ProgramHold::optional));
+    window_->refresh();
+    EXPECT_TRUE(button("program_optional").isChecked());
+    ASSERT_TRUE(click("program_optional"));
+    ASSERT_TRUE(comes_true([&] { return window_->context().program_report.status.stops_at_optional == 0; }));
+    ASSERT_TRUE(click("resume"));
+    ASSERT_TRUE(is_over(true));
+    EXPECT_FALSE(desk().switches.stops_at_optional) << "that of the next start is as it was";
 }
 
 TEST_F(ProgramPageOf, RunsFromALineOnceItWasToldWhatComesBeforeIt) {

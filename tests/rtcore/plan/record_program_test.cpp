@@ -204,7 +204,7 @@ TEST(RecordProgram, EndsALineWithItsLastWayWhereTheRecordBehindHasNone) {
         std::int64_t way = 0;
         for (const MotionBlock& block : program_blocks(script.steps)) {
             way += block.delta_pulses[0] + block.delta_pulses[1];
-            if (block.ends_line != 0) ends.push_back(way);
+            if (block.marks != 0) ends.push_back(way);
         }
         EXPECT_EQ(ends, std::vector<std::int64_t>{60}) << tolerance_mm;
     }

@@ -229,6 +229,8 @@ TEST(MotionRequest, OfAProgramNamesItsNumberAndWhetherItGoesBlockByBlock) {
     ASSERT_TRUE(request);
     EXPECT_EQ(request->value, 41U);
     EXPECT_EQ(request->axis, 1U);
+    command.axis = kProgramIsSingle | kProgramStopsAtOptional | 0x40U;
+    EXPECT_EQ(motion_request(command, RequestKind::run_program, Profile{}, false)->axis, 3U);
 }
 
 // Limits that in pulses and back are a little less than they were.

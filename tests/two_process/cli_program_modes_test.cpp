@@ -76,7 +76,7 @@ TEST_F(ToldModes, AreThoseOfTheLineWhereItHoldsThoughAllIsRead) {
             "modes      G1 G17 G20 G91 G94 G55 G64 G40 G49 G99 G91.1 G13.1 M3 M9 M48; F 10, S 900, T 0\n"
             "zero       G55: r1 30.000 mm, r2 0.000 mm, psi 90.000 deg, y 4.000 mm\n"
             "to go      r1 0.000 mm, r2 0.000 mm, psi 0.000 deg, y 0.000 mm\n"
-            "queue      0 of 8192 records\n"),
+            "queue      0 of 8192 records; it had to wait for more 0 times\n"),
         std::string::npos)
         << text;
 

@@ -169,7 +169,7 @@ void LayersPage::set_theme(const Tokens& tokens) {
 }
 
 void LayersPage::refresh() {
-    // Others pay for what nobody looks at.
+    // What is not looked at must cost nothing.
     if (!isVisible()) return;
     if (context_.shown_job() != job_) take_job();
     if (!job_) return;

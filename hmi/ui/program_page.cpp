@@ -166,7 +166,7 @@ QLayout* ProgramPage::make_switches() {
     return row;
 }
 
-// While a program runs that one is meant, whoever has started it.
+// While a program runs that one is meant, another process' one, too.
 void ProgramPage::switch_single(bool is_on) {
     if (context_.program_report.status.is_running == 0) {
         context_.program.switches.is_single = is_on;

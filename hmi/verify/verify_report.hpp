@@ -83,7 +83,8 @@ struct VerifyReport {
     std::uint64_t events = 0;
     std::vector<PassTime> passes;  ///< none: the job has but one, or was not carved to its end
 
-    /// Only a part of the surface was to be carved, nobody knows which: what is left of it is no deviation.
+    /// Only a part of the surface was to be carved, it is not known which: what is left of it is no
+    /// deviation.
     bool is_of_carved_alone() const noexcept { return is_cut || is_dry; }
     const Offence* first_offence() const noexcept { return first_offence_of(rules); }
 };

@@ -43,7 +43,8 @@ void JobEstimator::begin(std::shared_ptr<const JobView> job) {
     static_cast<void>(look());
 }
 
-// Its thread is of low priority: interrupted while it holds the mutex, it keeps it until nobody else is busy.
+// Its thread is of low priority: interrupted while it holds the mutex, it keeps it until no other thread is
+// busy.
 std::unique_lock<std::mutex> JobEstimator::look() {
     std::unique_lock lock(mutex_, std::try_to_lock);
     if (lock) exchange_with_thread();

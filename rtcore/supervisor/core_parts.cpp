@@ -28,7 +28,7 @@ sim::SimConfig machine_for(const Profile& profile, const HomedStart& homed_start
 trace::TraceStart trace_start_of(const CoreParts& parts) {
     trace::TraceStart start;
     start.period_ns = parts.period_ns;
-    if (parts.machine == nullptr) return start;  // nobody knows where a real machine stands
+    if (parts.machine == nullptr) return start;  // where a real machine stands is not known
     for (const Axis axis : kAllAxes)
         start.position_pulses[index_of(axis)] = parts.machine->position_pulses(axis);
     return start;

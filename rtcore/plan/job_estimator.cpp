@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/plan/job_estimator.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carving.hpp"
+#include "rtcore/plan/point_times.hpp"
 #include "rtcore/plan/time_forecast.hpp"
 #include "rtcore/process/handler_stack.hpp"
 #include "rtcore/process/side_thread.hpp"
@@ -23,8 +25,8 @@ PlannedSoFar with_first_point(PlannedSoFar planned) noexcept {
 
 }  // namespace
 
-JobEstimator::JobEstimator(const Profile& profile)
-    : limits_(machine_limits(profile)), thread_([this] { run(); }) {}
+JobEstimator::JobEstimator(const Profile& profile, bool keeps_points)
+    : limits_(machine_limits(profile)), keeps_points_(keeps_points), thread_([this] { run(); }) {}
 
 JobEstimator::~JobEstimator() {
     {
@@ -124,7 +126,10 @@ void JobEstimator::plan(const std::shared_ptr<const JobView>& job, std::uint64_t
     const auto program = carving_of(limits, job);
     cycle::MotionBlock block{};
     std::uint64_t points = 0;
+    std::optional<PointTimes> times;
+    if (keeps_points_) times.emplace(limits, *job);
     while (program->next(block)) {
+        if (times) times->add(block);
         const PlannedSoFar planned = program->planned();
         if (planned.points == points) continue;
         points = planned.points;
@@ -132,6 +137,7 @@ void JobEstimator::plan(const std::shared_ptr<const JobView>& job, std::uint64_t
     }
     const bool is_done = change(edition, [&](JobEstimate& estimate) {
         estimate.add(with_first_point(program->planned()));
+        if (times) estimate.keep(times->take());
         is_whole_ = true;
     });
     if (is_done) changed_.notify_all();

@@ -74,7 +74,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->profile = profile;
     parts->period_ns = tick_period_ns(profile);
     parts->port_name = port::port_text(options.port);
-    parts->layer_times_path = options.layer_times_path;
+    parts->planned_files = {options.layer_times_path, options.point_times_path};
     parts->state_folder = options.state_folder;
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
@@ -100,7 +100,8 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     if (request.homed_start) parts->cycle->assume_homed(*request.homed_start, request.start_levels);
     parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
     if (!request.homed_start && !options.no_estimate)
-        parts->estimator = std::make_unique<plan::JobEstimator>(profile);
+        parts->estimator =
+            std::make_unique<plan::JobEstimator>(profile, !parts->planned_files.points.empty());
     return parts;
 }
 

@@ -54,7 +54,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       sample_(read_sample()),
       judged_generation_(0),
       loader_(parts.profile, !facts.is_virtual_clock),
-      layer_times_(parts.layer_times_path, parts.files),
+      layer_times_(parts.planned_files, parts.files),
       slept_ns_(first_sleep_ns()) {
     introduce();
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {

@@ -81,10 +81,11 @@ void Verifier::set_follower(Follower follower) {
     state_->follower = std::move(follower);
 }
 
-void Verifier::begin(const TraceStart& start) {
-    state_->pins.begin(start);
+Result<void> Verifier::begin(const TraceStart& start) {
+    if (const auto begun = state_->pins.begin(start); !begun) return begun;
     state_->last = start.position_pulses;
     state_->to_path.begin(start.position_pulses, state_->pins.spindle_on());
+    return {};
 }
 
 void Verifier::feed(std::span<const TraceEvent> events) {

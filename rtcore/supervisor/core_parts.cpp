@@ -25,9 +25,11 @@ sim::SimConfig machine_for(const Profile& profile, const HomedStart& homed_start
     return config;
 }
 
+/// The gaps as the core takes them to be: a replay may begin with some crossed.
 trace::TraceStart trace_start_of(const CoreParts& parts) {
     trace::TraceStart start;
     start.period_ns = parts.period_ns;
+    start.crossed_pulses = parts.cycle->pulses().crossed_pulses();
     if (parts.machine == nullptr) return start;  // where a real machine stands is not known
     for (const Axis axis : kAllAxes)
         start.position_pulses[index_of(axis)] = parts.machine->position_pulses(axis);
@@ -88,16 +90,16 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     }
     parts->traces = TraceOutlet{options.clock == ClockKind::real ? TraceOutlet::WhenFull::loses
                                                                  : TraceOutlet::WhenFull::waits};
-    if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
-        return opened.error();
-    }
     parts->io = std::make_unique<cycle::CycleIo>();
     parts->trace_ring = std::make_unique<trace::TraceRing>();
     parts->io->trace = parts->trace_ring.get();
-    parts->io->traces_always = parts->traces.is_open();
     parts->cycle =
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
     if (request.homed_start) parts->cycle->assume_homed(*request.homed_start, request.start_levels);
+    if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
+        return opened.error();
+    }
+    parts->io->traces_always = parts->traces.is_open();
     parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
     if (!request.homed_start && !options.no_estimate)
         parts->estimator =

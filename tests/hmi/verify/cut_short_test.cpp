@@ -19,7 +19,7 @@ VerifyReport judged(const SampleJob& job, const PerfectMachine& machine,
                     const AskedCarving& asked = kMayEndEarly) {
     auto sut = Verifier::make_for(job.view(), job.profile, asked);
     EXPECT_TRUE(sut);
-    sut->begin(machine.start);
+    EXPECT_TRUE(sut->begin(machine.start).has_value());
     sut->feed(machine.events);
     return sut->finish();
 }

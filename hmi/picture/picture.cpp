@@ -128,6 +128,7 @@ void draw_uncarved_key(Canvas& canvas) {
 std::string verdict_of(const PictureCaption& caption) {
     if (!caption.verified) return "NOT verified";
     if (caption.has_lost_steps) return "STEPS LOST";
+    if (caption.is_dry) return "dry run, verified on the pins";
     return caption.is_of_carved_alone ? "verified as far as it went" : "verified on the pins";
 }
 
@@ -140,6 +141,7 @@ PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
     caption.max_deviation_pulses = report.max_deviation_pulses;
     caption.is_of_carved_alone = report.is_of_carved_alone();
     caption.is_of_part = !report.is_whole_job;
+    caption.is_dry = report.is_dry;
     return caption;
 }
 

@@ -22,6 +22,7 @@ struct PictureCaption {
     std::int64_t max_deviation_pulses = 0;
     bool is_of_carved_alone = false;  ///< it was cut short: what is left to carve is no deviation
     bool is_of_part = false;          ///< some layers were asked for: what lies outside them is no deviation
+    bool is_dry = false;
 };
 PictureCaption caption_of(const JobView& job, const VerifyReport& report);
 

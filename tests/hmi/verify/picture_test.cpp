@@ -215,6 +215,21 @@ TEST(Picture, HasTheOtherLayersWithoutColourWhereSomeWereAskedFor) {
     EXPECT_NE(colour(*whole, 718, 478), kGrey);
 }
 
+TEST(Picture, OfADryRunSaysThatItIsOne) {
+    const SampleJob job = wavy_job();
+    VerifyReport report;
+    report.ok = true;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "verified on the pins");
+    report.is_dry = true;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "dry run, verified on the pins");
+    report.ok = false;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "NOT verified");
+    report = {};
+    report.ok = true;
+    report.is_cut = true;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "verified as far as it went");
+}
+
 TEST(Canvas, TakesAnyBytesForText) {
     EXPECT_EQ(as_utf8("a\xC3\xA4\xE6\x9C\xA8z"), "a\xC3\xA4\xE6\x9C\xA8z");
     EXPECT_EQ(as_utf8("a\xC3z\xFF\xED\xA0\x80\x01"), "a?z?????");

@@ -155,7 +155,7 @@ VerifyReport Verifier::finish() {
     report.max_line_deviation_mm = line.mm;
     report.max_line_deviation_pulses = line.pulses;
     report.carve_seconds = s.path.carve_seconds();
-    report.is_complete = s.path.is_complete();
+    report.is_complete = s.path.has_arrived();
     report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();

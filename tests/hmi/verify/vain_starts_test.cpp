@@ -142,6 +142,27 @@ TEST_P(VainStarts, LeaveWhatARunCutShortCarved) {
     EXPECT_EQ(whole.rules[0].offences, 1U) << report_text(whole);
 }
 
+// The machine was told to carve, and its core says that it came to the end.
+TEST_P(VainStarts, AreWrongWhereCarvingWasAskedFor) {
+    PerfectMachine machine(job);
+    machine.carve_job();
+    for (const bool is_in_vain : {false, true}) {
+        if (is_in_vain) start_in_vain(machine);
+        for (const bool carves_at_last : {false, true}) {
+            const AskedCarving asked{.layers = {}, .ends_there = true, .carves_at_last = carves_at_last};
+            auto sut = Verifier::make_for(job.view(), job.profile, asked);
+            ASSERT_TRUE(sut);
+            sut->begin(machine.start);
+            sut->feed(machine.events);
+            const VerifyReport report = sut->finish();
+            EXPECT_EQ(report.ok, !is_in_vain || !carves_at_last) << report_text(report);
+            if (report.ok) continue;
+            EXPECT_EQ(first_of(report, 1).fault, "ends-early");
+            EXPECT_EQ(report.rules[0].offences, 1U) << report_text(report);
+        }
+    }
+}
+
 // Psi turned: that is carving anew, and was not brought to its end.
 TEST_P(VainStarts, AreNoneWhereTheFirstPointWasLeft) {
     for (const std::int64_t turned_pulses : {1, 40}) {

@@ -23,6 +23,7 @@ struct Verifier::State : PositionJudge {
           to_path(path, profile),
           pins(profile, log, path.place(), *this) {
         if (asked.ends_there) path.end_with_last_layer();
+        if (asked.carves_at_last) path.expect_carving_at_last();
     }
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
@@ -156,7 +157,7 @@ VerifyReport Verifier::finish() {
     report.max_line_deviation_mm = line.mm;
     report.max_line_deviation_pulses = line.pulses;
     report.carve_seconds = s.path.carve_seconds();
-    report.is_complete = s.path.is_complete();
+    report.is_complete = s.path.has_arrived();
     report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();

@@ -13,6 +13,8 @@ namespace psicarve::session {
 namespace {
 
 constexpr double kMsPerS = 1e3;
+/// The window waits while a map is made: of more points some layers stand for those beside them.
+constexpr std::size_t kMostPoints = 1'000'000;
 constexpr double kRareRatio = 0.02;
 constexpr double kLeastRange_ms = 1e-3;
 
@@ -29,10 +31,19 @@ public:
         : job_(job), plan_(plan), map_(map), cells_(map.columns * map.rows) {}
 
     void gather() {
-        const std::uint32_t first = job_.view.finishing_layer();
+        const std::size_t first = job_.view.finishing_layer();
         const std::size_t layers = job_.view.layer_count() - first;
-        for (std::uint32_t layer = first; layer < job_.view.layer_count(); ++layer)
-            gather_layer(layer, std::size_t{layer - first} * map_.rows / layers);
+        const std::size_t most_of_row =
+            std::max<std::size_t>(1, kMostPoints / (map_.rows * job_.view.point_count()));
+        for (std::size_t row = 0; row < map_.rows; ++row) {
+            const std::size_t begin = row * layers / map_.rows;
+            const std::size_t count = (row + 1) * layers / map_.rows - begin;
+            const std::size_t taken = std::min(count, most_of_row);
+            for (std::size_t i = 0; i < taken; ++i) {
+                const std::size_t layer = first + begin + (2 * i + 1) * count / (2 * taken);
+                gather_layer(static_cast<std::uint32_t>(layer), row);
+            }
+        }
     }
     /// A cell that no way came to, by rounding, has what the one beside it has.
     void fill() {

@@ -14,7 +14,8 @@ namespace psicarve::session {
 /// How long the heads take from point to point, and what bounds that, unrolled as the job's radii are
 /// (RadiusMap): columns are directions of the workpiece, 0 to 360 degrees, rows layers of the finishing pass
 /// from the lowest up. Both heads carve at the same time: what a way takes stands at both of its places. A
-/// cell of several ways has their mean, and what bounds most of their time.
+/// cell of several ways has their mean, and what bounds most of their time; of very large jobs not all
+/// layers count.
 struct TimeMap {
     std::size_t columns = 0;
     std::size_t rows = 0;

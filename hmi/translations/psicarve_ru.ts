@@ -3181,6 +3181,14 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Пока неизвестно: задание планируется, когда станок стоит</translation>
         </message>
         <message>
+            <source>Not known: the job could not be planned; page Messages says why</source>
+            <translation>Неизвестно: задание не удалось спланировать; причина на странице «Сообщения»</translation>
+        </message>
+        <message>
+            <source>Not known: the job of a recording is not planned</source>
+            <translation>Неизвестно: задание записи не планируется</translation>
+        </message>
+        <message>
             <source>Not now</source>
             <translation>Не сейчас</translation>
         </message>

@@ -3180,6 +3180,14 @@ N、Shift+N  下一条、上一条记录
             <translation>尚不清楚：机床静止时才规划作业</translation>
         </message>
         <message>
+            <source>Not known: the job could not be planned; page Messages says why</source>
+            <translation>未知：无法规划该作业；原因见“消息”页</translation>
+        </message>
+        <message>
+            <source>Not known: the job of a recording is not planned</source>
+            <translation>未知：不规划记录中的作业</translation>
+        </message>
+        <message>
             <source>Not now</source>
             <translation>暂不</translation>
         </message>

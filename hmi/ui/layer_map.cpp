@@ -37,6 +37,8 @@ LayerMap::LayerMap(WindowContext& context, QWidget* parent)
     : QWidget(parent), context_(context), view_(new UnrolledView), choice_(new ChoiceBox) {
     view_->setObjectName("layer_map");
     choice_->setObjectName("map_of");
+    choice_->setFocusPolicy(Qt::TabFocus);
+    ignore_wheel(choice_);
     choice_->setAccessibleName(tr("What the map shows"));
     choice_->addItems({tr("radii"), tr("time from point to point"), tr("what bounds the speed")});
     choice_->setItemData(static_cast<int>(MapOf::times),
@@ -66,6 +68,7 @@ void LayerMap::set_theme(const Tokens& tokens) {
 void LayerMap::take_job(std::shared_ptr<const cam::PreparedJob> job) {
     job_ = std::move(job);
     radii_ = {};
+    points_ = nullptr;
     if (!job_) return;
     radii_ = session::radius_map(*job_, kMostMapColumns, kMostMapRows);
     const auto heights = job_->view.layer_heights_pulses().subspan(job_->view.finishing_layer());
@@ -75,8 +78,8 @@ void LayerMap::take_job(std::shared_ptr<const cam::PreparedJob> job) {
 }
 
 void LayerMap::refresh() {
-    if (choice_->currentIndex() != static_cast<int>(MapOf::radii) && planned_points() != points_)
-        show_chosen();
+    if (choice_->currentIndex() == static_cast<int>(MapOf::radii) || !job_) return;
+    if (planned_points() != points_ || (!points_ && view_->key().low != why_unknown())) show_chosen();
 }
 
 std::shared_ptr<const PointPlan> LayerMap::planned_points() const {
@@ -87,16 +90,25 @@ std::shared_ptr<const PointPlan> LayerMap::planned_points() const {
 void LayerMap::show_chosen() {
     if (!job_ || tokens_ == nullptr) return;
     const auto shown = static_cast<MapOf>(choice_->currentIndex());
-    points_ = nullptr;
     if (shown == MapOf::radii) return show_radii();
-    points_ = planned_points();
-    if (!points_) {
-        const QString why = tr("Not known yet: the job is planned while the machine rests");
-        return view_->show_map({}, 0, {why, {}, {}});
-    }
-    const session::TimeMap map = session::time_map(*job_, *points_, kMostMapColumns, kMostMapRows);
-    if (shown == MapOf::times) return show_times(map);
-    show_bounds(map);
+    take_points();
+    if (!points_) return view_->show_map({}, 0, {why_unknown(), {}, {}});
+    if (shown == MapOf::times) return show_times();
+    show_bounds();
+}
+
+void LayerMap::take_points() {
+    auto points = planned_points();
+    if (points == points_) return;
+    points_ = std::move(points);
+    times_ = points_ ? session::time_map(*job_, *points_, kMostMapColumns, kMostMapRows) : session::TimeMap{};
+}
+
+QString LayerMap::why_unknown() const {
+    if (context_.replay.is_open()) return tr("Not known: the job of a recording is not planned");
+    if (context_.estimate.has_failed(job_))
+        return tr("Not known: the job could not be planned; page Messages says why");
+    return tr("Not known yet: the job is planned while the machine rests");
 }
 
 void LayerMap::show_radii() {
@@ -107,14 +119,14 @@ void LayerMap::show_radii() {
                     {whole_mm(radii_.least_mm), whole_mm(radii_.most_mm), {}});
 }
 
-void LayerMap::show_times(const session::TimeMap& map) {
-    const int decimals = map.most_ms < kFine_ms ? 2 : map.most_ms < kCoarse_ms ? 1 : 0;
-    const QString most = QString::fromStdString(session::number_text(map.most_ms, decimals));
-    view_->show_map(session::time_picture(map), map.columns, {tr("0 ms"), tr("%1 ms").arg(most), {}});
+void LayerMap::show_times() {
+    const int decimals = times_.most_ms < kFine_ms ? 2 : times_.most_ms < kCoarse_ms ? 1 : 0;
+    const QString most = QString::fromStdString(session::number_text(times_.most_ms, decimals));
+    view_->show_map(session::time_picture(times_), times_.columns, {tr("0 ms"), tr("%1 ms").arg(most), {}});
 }
 
 /// Named with their share of the whole time; what bounds nothing is left out.
-void LayerMap::show_bounds(const session::TimeMap& map) {
+void LayerMap::show_bounds() {
     const std::array<std::uint32_t, kWayBoundCount> colours{
         kBlankColour, tokens_->r1.rgb(), tokens_->r2.rgb(), kPsiColour, kYColour, kDoneColour};
     const std::array<QString, kWayBoundCount> names{tr("other"),          QStringLiteral("R1"),
@@ -122,13 +134,13 @@ void LayerMap::show_bounds(const session::TimeMap& map) {
                                                     QStringLiteral("Y"),  tr("feed")};
     MapKey key;
     for (std::size_t bound = 0; bound < kWayBoundCount; ++bound) {
-        const double percent = kWholePercent * map.bound_ratio[bound];
+        const double percent = kWholePercent * times_.bound_ratio[bound];
         if (percent <= 0.0) continue;
         const QString share = percent < 1.0 ? QStringLiteral("<1") : QString::number(std::lround(percent));
         key.kinds.emplace_back(QColor::fromRgb(colours[bound]),
                                QStringLiteral("%1 %2 %").arg(names[bound], share));
     }
-    view_->show_map(session::bound_picture(map, colours), map.columns, std::move(key));
+    view_->show_map(session::bound_picture(times_, colours), times_.columns, std::move(key));
 }
 
 }  // namespace psicarve::ui

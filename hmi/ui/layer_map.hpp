@@ -35,14 +35,17 @@ private:
     std::shared_ptr<const PointPlan> planned_points() const;
     void show_chosen();
     void show_radii();
-    void show_times(const session::TimeMap& map);
-    void show_bounds(const session::TimeMap& map);
+    void take_points();
+    QString why_unknown() const;
+    void show_times();
+    void show_bounds();
 
     WindowContext& context_;
     const Tokens* tokens_ = nullptr;
     std::shared_ptr<const cam::PreparedJob> job_;
     session::RadiusMap radii_;
-    std::shared_ptr<const PointPlan> points_;  ///< that are shown; null: none are
+    std::shared_ptr<const PointPlan> points_;  ///< that times_ is of; null: not known
+    session::TimeMap times_;
     UnrolledView* view_;
     QComboBox* choice_;
 };

@@ -214,7 +214,9 @@ void UnrolledView::draw_kinds(QPainter& painter, const QRectF& area) const {
             x = kBesideMark;
             y += kKeyLine;
         }
-        painter.fillRect(QRectF{x, y + 1.0, kSquare, kSquare}, colour);
+        const QRectF square{x, y + 1.0, kSquare, kSquare};
+        painter.fillRect(square, colour);
+        painter.drawRect(square);
         painter.drawText(QRectF{x + kSquare + kBesideMark, y - 3.0, widths[i], 18},
                          Qt::AlignLeft | Qt::AlignVCenter, name);
         x += widths[i];

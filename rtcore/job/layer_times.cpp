@@ -60,12 +60,13 @@ Result<void> write_one(const char* option, const std::string& path, std::span<co
 }  // namespace
 
 Result<void> write_planned(const PlannedFiles& files, const plan::JobEstimate& estimate, const JobView& job) {
-    Result<void> points;
-    if (!files.points.empty())
-        points = write_one("--point-times", files.points, point_plan_bytes(estimate.point_plan()));
-    if (files.layers.empty()) return points;
-    const std::string text = layer_times_csv(estimate, job);
-    const auto layers = write_one("--layer-times", files.layers, std::as_bytes(std::span{text}));
+    Result<void> layers;
+    if (!files.layers.empty()) {
+        const std::string text = layer_times_csv(estimate, job);
+        layers = write_one("--layer-times", files.layers, std::as_bytes(std::span{text}));
+    }
+    if (files.points.empty()) return layers;
+    const auto points = write_one("--point-times", files.points, point_plan_bytes(estimate.point_plan()));
     return layers ? points : layers;
 }
 

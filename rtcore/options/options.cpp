@@ -230,6 +230,8 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     }
     if (options.assume_homed && options.replay_path.empty())
         return wrong("--assume-homed", "is for --replay on a real port; home the machine instead");
+    if (options.no_estimate && !options.point_times_path.empty())
+        return wrong("--point-times", "is of the estimate; leave out --no-estimate");
     if (options.replays_program && (options.replay_path.empty() || options.clock == ClockKind::real))
         return wrong("--replay-program", "is for --replay on the virtual clock");
     if (app.count("--state") > 0 && app.count("--no-state") > 0)

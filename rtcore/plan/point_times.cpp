@@ -11,7 +11,7 @@ namespace {
 using cycle::BlockKind;
 using cycle::MotionBlock;
 
-/// An axis that uses less of what it has is not what bounds a way: the feed is.
+/// An axis that uses less of what it has is not what bounds a way.
 constexpr double kAtItsLimit = 0.9;
 /// An axis that does not move has no least acceleration (PathTiming).
 constexpr double kMoves = 1e29;
@@ -91,7 +91,7 @@ PointTimes::Cost PointTimes::cost_of_path(const MotionBlock& block) const {
         const double accel_share = (accel + path.accel_bend[k] * fastest * fastest) / free / pace2;
         shares[k] = std::max(speed_share, accel_share);
     }
-    return {2.0 * path.length / (start + end), bound_by(shares)};
+    return {2.0 * path.length / (start + end), bound_by(shares, WayBound::feed)};
 }
 
 PointTimes::Cost PointTimes::cost_of_line(const MotionBlock& block) {
@@ -116,12 +116,13 @@ PointTimes::Cost PointTimes::cost_of_line(const MotionBlock& block) {
         const double accel_share = is_even ? 0.0 : part * group_.accel_per_s2 / limits_.axes[k].accel_pps2;
         shares[k] = std::max(speed_share, accel_share);
     }
-    return {seconds, bound_by(shares)};
+    // Lines of a group go by the least limit of them all, and ways between passes by the plunge's speed.
+    return {seconds, bound_by(shares, WayBound::unknown)};
 }
 
-WayBound PointTimes::bound_by(const Shares& shares) const noexcept {
+WayBound PointTimes::bound_by(const Shares& shares, WayBound if_none) noexcept {
     const auto most = std::ranges::max_element(shares);
-    if (*most < kAtItsLimit) return WayBound::feed;
+    if (*most < kAtItsLimit) return if_none;
     return way_bound_of(static_cast<Axis>(most - shares.begin()));
 }
 

@@ -13,7 +13,9 @@
 namespace psicarve::plan {
 
 /// Adds up a job's motion blocks to the time of the way to each of its points, and what bounds it. Motion
-/// alone counts, and dwells: not how long backlash takes to be crossed.
+/// alone counts, and dwells: not how long backlash takes to be crossed. The feed is told of curves alone:
+/// what bounds a straight line by planner angle where no axis is at its limit is another line of its group,
+/// or the feed.
 class PointTimes {
 public:
     /// `limits` of the job, as those of its planner.
@@ -34,7 +36,8 @@ private:
     Cost cost_of(const cycle::MotionBlock& block);
     Cost cost_of_path(const cycle::MotionBlock& block) const;
     Cost cost_of_line(const cycle::MotionBlock& block);
-    WayBound bound_by(const Shares& shares) const noexcept;
+    /// `if_none` of the axes is at its limit.
+    static WayBound bound_by(const Shares& shares, WayBound if_none) noexcept;
     void end_way(const cycle::MotionBlock& block);
 
     MachineLimits limits_;

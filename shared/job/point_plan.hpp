@@ -11,7 +11,8 @@
 
 namespace psicarve {
 
-/// What a way cannot be faster for: an axis that is at its top speed or acceleration, or the feed.
+/// What a way cannot be faster for: an axis that is at its top speed or acceleration, or the feed; unknown:
+/// or something else, as the plunge's speed.
 enum class WayBound : std::uint8_t { unknown, r1, r2, psi, y, feed };
 inline constexpr std::size_t kWayBoundCount = 6;
 constexpr WayBound way_bound_of(Axis axis) noexcept {

@@ -101,7 +101,8 @@ TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
     EXPECT_TRUE(layer().toolTip().contains("takes at least ")) << layer().toolTip().toStdString();
     for (const int unknown : {1, 2}) {
         show_map_of(unknown);
-        EXPECT_TRUE(key().low.startsWith("Not known yet")) << key().low.toStdString();
+        EXPECT_TRUE(key().low.startsWith("Not known: the job could not be planned"))
+            << key().low.toStdString();
     }
     show_map_of(0);
     EXPECT_TRUE(key().low.endsWith(" mm")) << key().low.toStdString();

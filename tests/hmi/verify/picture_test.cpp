@@ -188,7 +188,7 @@ TEST(Picture, HasTheOtherLayersWithoutColourWhereSomeWereAskedFor) {
     machine.approach(1).layer(1).link_to(2).layer(2).finish();
     auto sut = Verifier::make(job.view(), job.profile, {1, 2});
     ASSERT_TRUE(sut);
-    sut->begin(machine.start);
+    ASSERT_TRUE(sut->begin(machine.start));
     sut->feed(machine.events);
     const VerifyReport report = sut->finish();
     ASSERT_TRUE(report.ok) << report_text(report);

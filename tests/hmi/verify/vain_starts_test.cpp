@@ -47,7 +47,7 @@ PerfectMachine wrongly_carved(const SampleJob& job) {
 VerifyReport as_far_as_it_went(const SampleJob& job, const PerfectMachine& machine) {
     auto sut = Verifier::make_for(job.view(), job.profile, {.layers = {}, .may_end_early = true});
     EXPECT_TRUE(sut);
-    sut->begin(machine.start);
+    EXPECT_TRUE(sut->begin(machine.start));
     sut->feed(machine.events);
     return sut->finish();
 }
@@ -152,7 +152,7 @@ TEST_P(VainStarts, AreWrongWhereCarvingWasAskedFor) {
             const AskedCarving asked{.layers = {}, .ends_there = true, .carves_at_last = carves_at_last};
             auto sut = Verifier::make_for(job.view(), job.profile, asked);
             ASSERT_TRUE(sut);
-            sut->begin(machine.start);
+            ASSERT_TRUE(sut->begin(machine.start));
             sut->feed(machine.events);
             const VerifyReport report = sut->finish();
             EXPECT_EQ(report.ok, !is_in_vain || !carves_at_last) << report_text(report);

@@ -84,6 +84,16 @@ TEST(PointTimes, TellTheFeedWhereNoAxisIsAtItsLimit) {
     EXPECT_EQ(count_of(made.points, WayBound::r2, 0, 180), 0U);
 }
 
+// A group's lines go by the least limit of them all.
+TEST(PointTimes, TellNoFeedOfLinesThatGoByAnotherOnesLimit) {
+    for (const Profile& profile : {Profile{}, by_angle()}) {
+        JobTable table = rougher_and_rougher(7);
+        table.feed_mm_s = 9000.0;
+        const Planned made = planned(profile, table);
+        EXPECT_EQ(count_of(made.points, WayBound::feed, 0, 7U * 60U), 0U);
+    }
+}
+
 TEST(PointTimes, TellTheTableWhereItTurnsAsFastAsItCan) {
     for (const Profile& profile : {Profile{}, by_angle()}) {
         const Planned made = planned(profile, bar(3, 1000.0));

@@ -106,7 +106,6 @@ std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const Fl
                                           std::uint64_t points_done) {
     std::optional<Asked> asked;
     bool is_last_dry = false;
-    bool carves_at_last = false;
     const auto is_start = [](const FlightRecord& record) {
         return is_done_command(record, CommandKind::start);
     };
@@ -121,7 +120,6 @@ std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const Fl
         if (own) own->is_cut = is_cut_short(carving, next);
         if (own) go_on_with(asked, *own);
         if (own) is_last_dry = own->is_dry;
-        carves_at_last = own && !own->is_dry && !own->is_cut;
         start = next;
     }
     if (!asked) return std::nullopt;
@@ -131,7 +129,6 @@ std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const Fl
                         .may_end_early = asked->is_cut,
                         .carves = !asked->is_dry,
                         .ends_there = true,
-                        .carves_at_last = carves_at_last,
                         .least_points = is_known ? points_done - before : 0};
 }
 

@@ -18,8 +18,6 @@ struct AskedCarving {
     bool carves = true;          ///< false: dry runs alone
     /// No spindle is on behind the last layer: what comes there is judged by the whole surface.
     bool ends_there = false;
-    /// The last start was told to carve and came to its end: that it only went in is a fault.
-    bool carves_at_last = false;
     /// So many of the points are to have been carved although it may end early.
     std::uint64_t least_points = 0;
 };

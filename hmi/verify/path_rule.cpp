@@ -187,7 +187,6 @@ void PathRule::start(CarvePoint begin, std::int64_t time_ns, std::int64_t psi_pu
     progress.forget_from(begin);
     has_turned_ = false;
     end_ = {};
-    in_vain_.reset();
     follower_.begin(begin);
     if (leaves_layers_out) return leave_out(time_ns, layers_left_out(begin.layer, progress.due_layer()));
     // Where the last point carved is the one before it, the way between them is left out.
@@ -240,8 +239,7 @@ void PathRule::end_behind_judged_layers() {
 }
 
 /// What it did wrong itself counts as long as what was carved before does.
-void PathRule::end_in_vain(std::int64_t time_ns) {
-    in_vain_ = {follower_.place(), time_ns, follower_.way().nearest(), false};
+void PathRule::end_in_vain() {
     follower_.end(attempt_.psi_offset);
     JobFollower::Kept kept = before_.follower;
     kept.line.join(follower_.findings().line_extent());
@@ -252,7 +250,7 @@ void PathRule::end_in_vain(std::int64_t time_ns) {
 }
 
 void PathRule::end_attempt(std::int64_t time_ns) {
-    if (was_in_vain()) return end_in_vain(time_ns);
+    if (was_in_vain()) return end_in_vain();
     // It went in and no further: nothing was carved anew, and what was carved before is so still.
     const bool is_none = has_only_gone_in() && attempt_.goes_on;
     if (is_none) follower_.progress().restore(before_.follower.progress);
@@ -271,7 +269,6 @@ void PathRule::end_attempt(std::int64_t time_ns) {
 void PathRule::finish(std::int64_t time_ns) {
     if (follower_.phase() != Phase::approach) end_attempt(time_ns);
     ledger_.count_held();
-    if (in_vain_ && carves_at_last_) end_ = *in_vain_;
     if (!is_complete()) report_missing_end(time_ns);
 }
 

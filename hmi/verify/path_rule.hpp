@@ -39,9 +39,6 @@ public:
     /// behind a whole job.
     void end_with_last_layer() noexcept { ends_there_ = true; }
 
-    /// A last attempt that only goes in is none that was called off.
-    void expect_carving_at_last() noexcept { carves_at_last_ = true; }
-
     void begin(const Positions& positions, bool spindle_on);
     /// After each instant in which an axis stepped or the spindle was switched.
     void settle(std::int64_t time_ns, const Positions& positions, bool spindle_on);
@@ -118,7 +115,7 @@ private:
     void follow_approach(std::int64_t time_ns, const Positions& positions, bool spindle_on);
     void leave_first_point(std::int64_t time_ns, const Positions& positions);
     void end_attempt(std::int64_t time_ns);
-    void end_in_vain(std::int64_t time_ns);
+    void end_in_vain();
     void end_behind_judged_layers();
     void report_missing_end(std::int64_t time_ns);
 
@@ -130,14 +127,12 @@ private:
     Attempt attempt_;
     End end_;
     Before before_;
-    std::optional<End> in_vain_;  ///< how the last attempt ended, if it carved nothing
-    RuleResult before_homing_;    ///< of motion that does not count
+    RuleResult before_homing_;  ///< of motion that does not count
     RuleResult before_guess_;
     Positions last_{};
     bool spindle_on_ = false;
     bool has_turned_ = false;  ///< psi, with the spindle on, outside an attempt
     bool ends_there_ = false;
-    bool carves_at_last_ = false;
     bool is_elsewhere_ = false;  ///< carves layers that are not judged, until the spindle stops
 };
 

@@ -23,7 +23,6 @@ struct Verifier::State : PositionJudge {
           to_path(path, profile),
           pins(profile, log, path.place(), *this) {
         if (asked.ends_there) path.end_with_last_layer();
-        if (asked.carves_at_last) path.expect_carving_at_last();
     }
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;

@@ -126,18 +126,6 @@ TEST_F(AskedCarvingOf, OneThatWasStoppedHasCarvedWhatItsStatusSays) {
     EXPECT_TRUE(asked_carving(job_.view(), whole, 84)->ends_there);
 }
 
-TEST_F(AskedCarvingOf, TheLastStartMayHaveBeenCalledOff) {
-    EXPECT_TRUE(asked({ready(), start(0), carve(), ready()})->carves_at_last);
-    const auto called_off = asked({ready(), start(0), carve(), ready(), start(0), ready()});
-    ASSERT_TRUE(called_off);
-    EXPECT_FALSE(called_off->carves_at_last);
-    EXPECT_FALSE(called_off->may_end_early);
-    EXPECT_FALSE(
-        asked({ready(), start(0), carve(), ready(), start(0), carve(), record_of(RecordKind::stop), ready()})
-            ->carves_at_last);
-    EXPECT_TRUE(asked({ready(), start(0), ready(), start(0), carve(), ready()})->carves_at_last);
-}
-
 TEST_F(AskedCarvingOf, DryRunsCountAlone) {
     const auto dry = command(CommandKind::start, kRecordedDryRun | 1U);
     const auto alone = asked({ready(), dry, carve(), ready()});

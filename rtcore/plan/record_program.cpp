@@ -144,17 +144,14 @@ void RecordProgram::take_way(const ProgramStep& step) {
     }
     const bool has_way = step.target_pulses != points_.back().pulses;
     // It may only bring to rest what it ends.
-    const bool has_line_gone = points_.size() > begin_ + 1 && !ways_.back().place.ends_line;
-    if (!has_way && step.ends_block && has_line_gone) ways_.back().place.ends_line = true;
+    if (!has_way && step.ends_block && points_.size() > begin_ + 1) ways_.back().place.ends_line = true;
     const bool is_exact = step.tolerance_mm <= 0.0;
     // An exact way has no tube of the ways before it.
     const double before_mm = tolerance_mm_;
     if (before_mm > 0.0 && (is_exact || step.tolerance_mm != before_mm)) come_to_rest();
     if (!is_exact) tolerance_mm_ = step.tolerance_mm;
     if (has_way) add_way(step);
-    // Behind a rest no way is left that could end its line; run line by line it is a line all the same.
-    const bool is_rest_alone = is_exact && !has_way && !has_line_gone;
-    const bool halts = step.ends_block && (is_single_ || is_rest_alone);
+    const bool halts = is_single_ && step.ends_block;
     if (is_exact || halts) {
         come_to_rest();
     } else if (points_.size() > begin_ + part_points_ + kTailPoints) {
@@ -170,7 +167,7 @@ void RecordProgram::take_stepped(const ProgramStep& step) {
     const Pulses4 from = points_.back().pulses;
     const bool halts = is_single_ && step.ends_block;
     if (step.target_pulses == from && step.kind != MotionKind::arc) {
-        if (step.ends_block) halt(ProgramHold::single, step.line);
+        if (halts) halt(ProgramHold::single, step.line);
         return;
     }
     cycle::MotionOrder order{};

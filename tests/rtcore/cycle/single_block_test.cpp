@@ -121,52 +121,6 @@ TEST(SingleBlock, StopsOrHoldsInTheRestAtALinesEnd) {
     }
 }
 
-// As a program under G61 has them: each comes to rest by itself, and has no pulse.
-TEST(SingleBlock, HoldsBehindAnExactLineOfLessThanAPulse) {
-    for (const bool from_the_start : {true, false}) {
-        for (const bool is_stepped : {false, true}) {
-            ProgramRig sut;
-            Script script{sut.positions()};
-            script.way({-40, 0, 60, 20}, 0.0, 0.02);
-            for (int i = 0; i < 2; ++i) {
-                if (is_stepped) script.stepped_line({0, 0, 0, 0});
-                if (!is_stepped) script.way({0, 0, 0, 0}, 0.0);
-            }
-            script.way({40, 0, 50, 0}, 0.0, 0.02).way({0, 0, 0, 0}, 0.0).end();
-            sut.give(script.steps);
-            ASSERT_EQ(sut.start(from_the_start), Refusal::none);
-            const Refusal refusal = from_the_start ? Refusal::none : sut.ask(RequestKind::single, 0, 1);
-            ASSERT_EQ(refusal, Refusal::none);
-            EXPECT_EQ(held_lines(sut), (std::vector<std::uint64_t>{1, 2, 3, 4, 5})) << is_stepped;
-            EXPECT_EQ(sut.positions(), script.at());
-        }
-    }
-}
-
-// Under G64 a way whose line went on in the exact one behind it is told by that one's own line.
-TEST(SingleBlock, HoldsBehindAnExactLineOfLessThanAPulseBehindACurve) {
-    ProgramRig sut;
-    Script script{sut.positions()};
-    for (int i = 0; i < 3; ++i) script.way({-40, 0, 60, 20}, 0.01, 0.02);
-    script.way({0, 0, 0, 0}, 0.0).way({40, 0, 50, 0}, 0.01, 0.02).end();
-    sut.give(script.steps);
-    ASSERT_EQ(sut.start(), Refusal::none);
-    ASSERT_EQ(sut.ask(RequestKind::single, 0, 1), Refusal::none);
-    EXPECT_EQ(held_lines(sut), (std::vector<std::uint64_t>{1, 2, 3, 4, 5}));
-    EXPECT_EQ(sut.positions(), script.at());
-}
-
-// Nobody asked for them to be held: it goes on as ever, with the same pulses.
-TEST(SingleBlock, PassesOverAnExactLineOfLessThanAPulseWithoutIt) {
-    ProgramRig sut;
-    Script script{sut.positions()};
-    script.way({-40, 0, 60, 20}, 0.0, 0.02).way({0, 0, 0, 0}, 0.0).way({40, 0, 50, 0}, 0.0, 0.02).end();
-    sut.give(script.steps);
-    ASSERT_EQ(sut.start(), Refusal::none);
-    EXPECT_TRUE(held_lines(sut).empty());
-    EXPECT_EQ(sut.positions(), script.at());
-}
-
 TEST(RapidOverride, IsOfAProgramAndStaysUntilTheNextJob) {
     ProgramRig sut;
     for (const std::uint64_t percent : {0U, 9U, 101U, 200U})

@@ -2,14 +2,6 @@
 #include "hmi/verify/attempt_ledger.hpp"
 
 namespace psicarve::verify {
-namespace {
-
-void add(RuleResult& all, const RuleResult& held, std::uint64_t held_before) {
-    all.offences += held.offences - held_before;
-    if (held.first && (!all.first || held.first->time_ns < all.first->time_ns)) all.first = held.first;
-}
-
-}  // namespace
 
 void AttemptLedger::begin_anew() {
     at_begin_ = log_.result(1);
@@ -28,15 +20,11 @@ void AttemptLedger::end() {
     log_.restore(1, at_begin_);
 }
 
-void AttemptLedger::end_in_vain(const Kept& before) {
-    end();
-    if (before.is_holding) add(held_, before.held, before.held_before);
-}
-
 void AttemptLedger::count_held() {
     if (!is_holding_) return;
     RuleResult all = log_.result(1);
-    add(all, held_, held_before_);
+    all.offences += held_.offences - held_before_;
+    if (held_.first && (!all.first || held_.first->time_ns < all.first->time_ns)) all.first = held_.first;
     log_.restore(1, all);
 }
 

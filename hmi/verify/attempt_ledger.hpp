@@ -14,6 +14,14 @@ public:
     /// The log outlives it.
     explicit AttemptLedger(OffenceLog& log) noexcept : log_(log) {}
 
+    void begin_anew();
+    /// What the last attempt did wrong counts, too.
+    void go_on();
+    /// Takes the attempt's breaches out of the log.
+    void end();
+    /// Nothing follows the last attempt.
+    void count_held();
+
     /// Log and what is held at some instant.
     struct Kept {
         RuleResult result;
@@ -21,18 +29,6 @@ public:
         std::uint64_t held_before = 0;
         bool is_holding = false;
     };
-
-    void begin_anew();
-    /// What the last attempt did wrong counts, too.
-    void go_on();
-    /// Takes the attempt's breaches out of the log.
-    void end();
-    /// The same of an attempt that began anew and carved nothing: what the one before it did wrong is held
-    /// with its own.
-    void end_in_vain(const Kept& before);
-    /// Nothing follows the last attempt.
-    void count_held();
-
     Kept kept() const { return {log_.result(1), held_, held_before_, is_holding_}; }
     void restore(const Kept& earlier);
 

@@ -67,7 +67,6 @@ void PathRule::follow(std::int64_t time_ns, const Positions& positions, bool spi
 void PathRule::note_way(std::int64_t time_ns, const Positions& positions) {
     const bool is_on_its_way = follower_.phase() == Phase::segment || follower_.phase() == Phase::link;
     if (is_on_its_way && !is_outward(positions)) follower_.times().go(time_ns);
-    if (has_only_gone_in() && !stands_at_begin(positions)) attempt_.has_left = true;
 }
 
 void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
@@ -87,16 +86,6 @@ bool PathRule::has_only_gone_in() const noexcept {
            next.step == attempt_.begin.step + 1;
 }
 
-/// Began anew, and psi never turned from there: what was carved before is so still.
-bool PathRule::was_in_vain() const noexcept {
-    const bool was_one_before = before_.end.is_complete || before_.end.early_at;
-    return was_one_before && has_only_gone_in() && !attempt_.goes_on && !attempt_.has_left;
-}
-
-bool PathRule::stands_at_begin(const Positions& positions) const noexcept {
-    return in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi];
-}
-
 /// Between layers that are not judged the heads came by a judged one's first point on their way out.
 bool PathRule::has_only_passed(const Positions& positions) const noexcept {
     return attempt_.was_elsewhere && has_only_gone_in() &&
@@ -106,7 +95,7 @@ bool PathRule::has_only_passed(const Positions& positions) const noexcept {
 /// Heads that go in together may pass where an earlier pass begins: nothing has begun until psi turns.
 bool PathRule::may_begin(const Positions& positions) const noexcept {
     if (follower_.phase() == Phase::approach) return true;
-    return has_only_gone_in() && stands_at_begin(positions);
+    return has_only_gone_in() && in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi];
 }
 
 bool PathRule::goes_in(const Positions& positions) const noexcept {
@@ -202,7 +191,7 @@ void PathRule::leave_out(std::int64_t time_ns, Offence offence) {
 /// Heads that only go in leave nothing out.
 void PathRule::count_left_out(const Positions& positions) {
     if (!attempt_.left_out || follower_.phase() == Phase::approach) return;
-    if (has_only_gone_in() && stands_at_begin(positions)) return;
+    if (has_only_gone_in() && in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi]) return;
     const auto left_out = std::exchange(attempt_.left_out, std::nullopt);
     if (log_.count(1, left_out->offence.time_ns)) log_.describe(left_out->offence, left_out->place);
 }
@@ -223,7 +212,6 @@ void PathRule::leave_first_point(std::int64_t time_ns, const Positions& position
     before_guess_ = log_.result(1);
     start(begins_.first(), time_ns, last_[kPsi]);
     attempt_.is_guess = true;
-    attempt_.has_left = true;
     const Positions left = in_jobs_count(last_);
     follower_.way().note_radii(left);
     follower_.miss(time_ns, left);
@@ -238,19 +226,7 @@ void PathRule::end_behind_judged_layers() {
     end_attempt(follower_.times().arrived_ns());
 }
 
-/// What it did wrong itself counts as long as what was carved before does.
-void PathRule::end_in_vain() {
-    follower_.end(attempt_.psi_offset);
-    JobFollower::Kept kept = before_.follower;
-    kept.line.join(follower_.findings().line_extent());
-    kept.on_path = follower_.kept().on_path;
-    follower_.restore(kept);
-    end_ = before_.end;
-    ledger_.end_in_vain(before_.ledger);
-}
-
 void PathRule::end_attempt(std::int64_t time_ns) {
-    if (was_in_vain()) return end_in_vain();
     // It went in and no further: nothing was carved anew, and what was carved before is so still.
     const bool is_none = has_only_gone_in() && attempt_.goes_on;
     if (is_none) follower_.progress().restore(before_.follower.progress);

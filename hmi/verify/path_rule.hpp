@@ -24,10 +24,10 @@ namespace psicarve::verify {
 /// or where a later layer's first point is: then carving goes on with that layer; or where heads that go
 /// in, psi and Y still, reach any other point but a layer's last: then it goes on within that layer. It ends
 /// when the spindle stops or homing comes; a last way that only leads outward, psi and Y still, is the
-/// retraction and not judged as a line. The last attempt that began with the first layer and left its first
-/// point counts, and all attempts that went on from it: breaches before are dropped, and a layer, or points,
-/// that none of them carved are a breach. After a breach the rule goes on with the next point, so that one
-/// lost pulse does not hide all that follows.
+/// retraction and not judged as a line. The last attempt that began with the first layer counts, and all
+/// attempts that went on from it: breaches before are dropped, and a layer, or points, that none of them
+/// carved are a breach. After a breach the rule goes on with the next point, so that one lost pulse does not
+/// hide all that follows.
 ///
 /// JobFollower judges the ways of an attempt; this class says where attempts begin and end.
 class PathRule {
@@ -74,7 +74,6 @@ private:
         CarvePoint begin;
         bool goes_on = false;               ///< with what others have carved
         bool is_guess = false;              ///< the path only passed near the first point
-        bool has_left = false;              ///< psi turned away from the point with which it began
         bool was_elsewhere = false;         ///< layers that are not judged were being carved
         std::int64_t psi_offset = 0;        ///< whole turns between the trace's count and the job's angle
         std::optional<LeftOut> left_out{};  ///< layers or points before its begin
@@ -96,8 +95,6 @@ private:
     Positions in_jobs_count(Positions positions) const noexcept;
     bool is_outward(const Positions& positions) const noexcept;
     bool has_only_gone_in() const noexcept;
-    bool was_in_vain() const noexcept;
-    bool stands_at_begin(const Positions& positions) const noexcept;
     bool has_only_passed(const Positions& positions) const noexcept;
     bool may_begin(const Positions& positions) const noexcept;
     bool begins_again(const Positions& positions);
@@ -115,7 +112,6 @@ private:
     void follow_approach(std::int64_t time_ns, const Positions& positions, bool spindle_on);
     void leave_first_point(std::int64_t time_ns, const Positions& positions);
     void end_attempt(std::int64_t time_ns);
-    void end_in_vain();
     void end_behind_judged_layers();
     void report_missing_end(std::int64_t time_ns);
 

@@ -19,6 +19,9 @@ constexpr std::int64_t kLongestRest_ns = 5 * kNsPerS;
 /// An input that was on at the begin changes there first.
 constexpr std::size_t kMostTries = 3;
 
+/// Of a damaged snapshot may be any: no sum of two that are less overflows.
+constexpr std::uint64_t kTickBound = std::uint64_t{1} << 61U;
+
 using Ticks = std::set<std::int64_t>;
 
 /// Where an entry told that these pins changed, the trace's first changes that are the same.
@@ -78,6 +81,8 @@ std::vector<ReplayedRecords> replayed_records(const std::vector<FlightRecord>& r
                                               const TraceIndex& index) {
     std::vector<ReplayedRecords> found;
     if (records.empty() || index.start().period_ns <= 0) return found;
+    const auto is_absurd = [](const FlightRecord& record) { return record.tick >= kTickBound; };
+    if (std::ranges::any_of(records, is_absurd)) return found;
     for (const auto& first : {replay_begin(records), program_replay_begin(records)}) {
         if (!first) continue;
         for (const std::int64_t shift_ticks : possible_shifts(records, *first, index)) {

@@ -54,7 +54,7 @@ set(PSICARVE_ROOMS
     "hmi/rough -> shared/base shared/profile shared/job hmi/tool hmi/piece"
     "hmi/cam -> shared/base shared/profile shared/job shared/record hmi/model hmi/slice hmi/tool hmi/flat hmi/rough"
     "hmi/report -> shared/message shared/wording shared/base shared/computer shared/machine shared/profile shared/job shared/record hmi/model hmi/slice hmi/verify hmi/machine hmi/piece hmi/cam"
-    "hmi/scene -> shared/base shared/machine hmi/model hmi/slice hmi/tool hmi/surface hmi/picture hmi/piece hmi/cam"
+    "hmi/scene -> shared/base shared/machine shared/job hmi/model hmi/slice hmi/tool hmi/surface hmi/picture hmi/piece hmi/cam"
     "hmi/cli -> shared/message shared/wording shared/base shared/computer shared/machine shared/file shared/profile shared/job shared/program shared/segment shared/record hmi/model hmi/slice hmi/gcode hmi/offsets hmi/manual hmi/profile hmi/tool hmi/flat hmi/trace hmi/doctor hmi/verify hmi/verify/program hmi/machine hmi/history hmi/picture hmi/piece hmi/rough hmi/cam hmi/report"
     "hmi/session -> shared/message shared/wording shared/base shared/computer shared/machine shared/file shared/profile shared/job shared/segment shared/record hmi/model hmi/phrase hmi/slice hmi/profile hmi/tool hmi/flat hmi/trace hmi/doctor hmi/verify hmi/machine hmi/history hmi/picture hmi/piece hmi/rough hmi/cam hmi/report hmi/scene"
     "hmi/replay -> shared/base shared/machine shared/trace shared/profile shared/job shared/record hmi/phrase hmi/profile hmi/surface hmi/trace hmi/verify hmi/machine hmi/piece hmi/cam hmi/scene hmi/session"

@@ -12,8 +12,9 @@ namespace psicarve::test {
 /// A binary trace as programs wrote it before there were jobs in it: version 1, without any.
 inline std::string older_trace(const std::string& bytes) {
     std::string older = bytes.substr(0, sizeof(TraceHeader));
+    const auto version = static_cast<std::uint32_t>(older[offsetof(TraceHeader, version)]);
     older[offsetof(TraceHeader, version)] = static_cast<char>(kOldestTraceVersion);
-    const auto* at = reinterpret_cast<const std::uint8_t*>(bytes.data()) + older.size();
+    const auto* at = reinterpret_cast<const std::uint8_t*>(bytes.data()) + trace_head_bytes(version);
     const auto* const end = reinterpret_cast<const std::uint8_t*>(bytes.data()) + bytes.size();
     const auto number = [&] {
         std::uint64_t value = 0;

@@ -140,7 +140,7 @@ Result<void> require_no_program(const CommonOptions& common) {
     return program_runs(report.status.line);
 }
 
-/// What cannot be read stays for whoever can mend it.
+/// What cannot be read stays, to be mended by hand.
 Result<void> put_broken_aside(const offsets::OffsetsPlace& place, const Profile& profile) {
     if (offsets::read_offsets(place, profile.gcode)) return {};
     const std::string backup = place.path + ".bak";

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kFirstRecordsLook{2};
 
-/// Takes motion for as long as nobody interrupts.
+/// Takes motion until it is interrupted.
 class PatientSink : public gcode::CanonSink {
 public:
     PatientSink(gcode::CanonSink& sink, const OperatorBreak& operator_break) noexcept

@@ -20,8 +20,8 @@ namespace psicarve::cli {
 /// The core's numbers are pulses, and its limits are its own.
 Result<Profile> profile_of_core(const machine::MachineLink& link, const CommonOptions& common);
 Result<void> require_ready(const Segment& segment, const CoreStatus& status);
-/// Where one letter moves both heads they must begin alike: the first move would drive R2 where nobody sent
-/// it.
+/// Where one letter moves both heads they must begin alike: the first move would drive R2 where it was not
+/// sent it.
 Result<void> require_heads_alike(const Profile& profile, const CoreStatus& status);
 
 Error interrupted_before_it_began();
@@ -29,7 +29,7 @@ Error interrupted_before_it_began();
 /// So that the core finds something to plan. Nothing was sent to it yet.
 Result<void> wait_for_records(const RecordFeeder& feeder, const machine::MachineLink& link,
                               const OperatorBreak& operator_break);
-/// Reads a program for as long as nobody interrupts it; then that is the error.
+/// Reads a program until it is interrupted; then that is the error.
 Result<gcode::ProgramFacts> interpret_patiently(gcode::LineSource& lines,
                                                 const gcode::InterpreterOptions& how, gcode::CanonSink& sink,
                                                 gcode::ProblemList& problems,

@@ -16,11 +16,11 @@ struct ProgramSight {
     ProgramReport program{};
 };
 
-/// Whether somebody is writing a program.
+/// Whether a living process is writing a program.
 bool has_living_writer(const Segment& segment);
 
 /// Looks again, a few times, until what holds is told of the way at hand. `look_again` takes its time;
-/// nothing: nobody is there who would tell.
+/// nothing: there is no writer that would tell.
 ProgramSight told_sight(ProgramSight sight, const std::function<std::optional<ProgramSight>()>& look_again);
 /// The status that wakes us wakes who tells what holds, too: gives it a moment to do so.
 Result<ProgramSight> told_sight(machine::MachineLink& link);

@@ -19,7 +19,7 @@ namespace psicarve::cli {
 class ProgramWatch {
 public:
     /// `line_count`: of the program, 0: not known. All outlive this, `operator_break` until the report is
-    /// printed. `follow`: who else looks; empty: nobody.
+    /// printed. `follow`: who else looks; empty: none.
     ProgramWatch(machine::MachineLink& link, OperatorBreak& operator_break, std::uint64_t line_count,
                  std::function<void(const ProgramReport&)> follow = {})
         : link_(link),
@@ -29,7 +29,7 @@ public:
           follow_(std::move(follow)) {}
 
     Result<void> look(const CoreStatus& status);
-    /// Nobody is asked for anything: holds are not told.
+    /// The operator is not asked for anything: holds are not told.
     void keep_quiet(const char* label) noexcept { quiet_label_ = label; }
     /// The highest feed that was seen, and whether the machine was held.
     std::uint32_t most_override_percent() const noexcept { return most_override_percent_; }

@@ -113,7 +113,7 @@ Result<void> RunOffsets::finish(const gcode::KeptOffsets& left, bool is_in_order
         return {};
     }
     if (has_promised_) {
-        // Whoever no longer waits leaves it to the next one to see how it ends.
+        // A process that no longer waits leaves it to the next one to see how it ends.
         const auto fate = offsets::fate_of(segment, offsets::identity_of(segment, program));
         if (fate && *fate == offsets::ProgramFate::running) return {};
         if (const auto dropped = offsets::write_offsets(place_, begin_, letters_); !dropped)

@@ -32,11 +32,11 @@ public:
     const gcode::KeptOffsets& begin() const noexcept { return begin_.kept; }
     /// Says so where a program does not begin at the machine's zero.
     void tell_begin() const;
-    /// Before the first record is written. From here on nobody else changes them; an error where somebody has
+    /// Before the first record is written. From here on no other process changes them; an error where one has
     /// since they were read, or where none can be written.
     Result<void> hold();
 
-    /// Before the program's last record is written, by whichever thread writes it: whoever reads them next
+    /// Before the program's last record is written, by whichever thread writes it: their next reader
     /// keeps or drops what it left, if this process does not live to do that.
     void promise(const gcode::KeptOffsets& left, const Segment& segment, std::uint64_t program);
     /// No thread writes any more. `is_in_order`: the program was right, and is run to its end. An error where
@@ -44,7 +44,7 @@ public:
     Result<void> finish(const gcode::KeptOffsets& left, bool is_in_order, const Segment& segment,
                         std::uint64_t program);
 
-    /// Beside a trace that was written, and with which profile, for whoever judges it later.
+    /// Beside a trace that was written, and with which profile, for judging it later.
     void write_beside(const std::string& trace_path) const;
 
 private:

@@ -76,7 +76,7 @@ public:
     virtual void set_modes(const ActiveModes&) {}
     virtual bool wants_modes() const noexcept { return false; }
     /// Whom a block that may come to very many records is given to before it is given to this, so that it is
-    /// judged before any of it is carried out. Nobody: that is not wanted.
+    /// judged before any of it is carried out. Null: that is not wanted.
     virtual CanonSink* rehearsal() { return nullptr; }
     /// False: it has failed, and there is no use in reading on.
     virtual bool wants_more() const noexcept { return true; }

@@ -116,7 +116,7 @@ void Interpreter::pass_wrong() noexcept {
     is_motion_doubtful_ = true;
 }
 
-/// Nobody knows which mode holds: none is judged until a right block says.
+/// It is not known which mode holds: none is judged until a right block says.
 void Interpreter::doubt_drawing() noexcept {
     if (!is_drawing(DrawnMode::none)) end_drawing();
     drawing_.is_mode_doubtful = true;

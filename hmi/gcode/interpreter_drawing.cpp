@@ -72,7 +72,7 @@ Interpreter::Fault Interpreter::judge_drawing_mode() {
 Interpreter::Fault Interpreter::set_drawing() {
     const int code = words_.code(CodeGroup::drawing);
     const bool ends = code == 131 || (code == 71 && words_.value('C') == 0.0);
-    // Behind a wrong one, or with a value that is not known, nobody knows what held.
+    // Behind a wrong one, or with a value that is not known, it is not known what held.
     drawing_.is_mode_doubtful = code == 71 && are_values_doubtful_;
     if (drawing_.is_mode_doubtful) {
         doubt_drawing();

@@ -35,7 +35,8 @@ public:
     /// is less, and within two pulses of where an axis may not be.
     std::optional<SteppedArc> arc(const CanonRecord& record) const noexcept;
     /// Why a way with a feed is none, though the profile asks for it: one of a few texts that are translated
-    /// where they are shown. Empty: it is one, or nobody asked, or it cannot be told as a place is not known.
+    /// where they are shown. Empty: it is one, or none was asked for, or it cannot be told as a place is not
+    /// known.
     const char* why_not(const CanonRecord& record) const noexcept;
 
 private:

@@ -55,6 +55,7 @@ std::vector<std::string> arguments_of(const CoreLaunch& launch, const std::strin
     add("--replay", launch.replay_path);
     add("--group", launch.group);
     add("--layer-times", launch.layer_times_path);
+    add("--point-times", launch.point_times_path);
     for (const std::string& path : launch.trace_paths) add("--trace", path);
     return arguments;
 }

@@ -30,6 +30,7 @@ struct CoreLaunch {
     std::uint32_t capacity_points = kDefaultCapacityPoints;
     std::string group;
     std::string layer_times_path;    ///< file for the layers' planned times; empty: not written
+    std::string point_times_path;    ///< likewise for the points'
     bool no_estimate = false;        ///< the time left is not calculated: all processor time is for the
                                      ///< carving
     std::vector<int> inherited_fds;  ///< keep their numbers in the child

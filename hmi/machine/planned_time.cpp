@@ -41,15 +41,25 @@ Result<std::vector<double>> layer_seconds_in(const UniqueFd& file, std::uint32_t
     return Error{ErrorCode::no_core, "the core did not tell how long each layer takes"};
 }
 
+Result<std::shared_ptr<const PointPlan>> points_in(const UniqueFd& file, const JobView& job) {
+    const std::string bytes = tail_of(file.get(), std::numeric_limits<std::size_t>::max());
+    auto points =
+        point_plan_from(std::as_bytes(std::span{bytes}), std::size_t{job.layer_count()} * job.point_count());
+    if (!points) return Error{ErrorCode::no_core, "the core did not tell how long each point takes"};
+    return std::make_shared<const PointPlan>(std::move(points).value());
+}
+
 }  // namespace
 
 Result<PlannedTime> planned_time(std::span<const std::byte> blob, const JobView& job, const Profile& profile,
-                                 const std::function<bool()>& goes_on) {
+                                 const std::function<bool()>& goes_on, bool keeps_points) {
     const std::string toml = profile_to_toml(profile);
     const auto profile_file = open_memory_file("profile", std::as_bytes(std::span{toml}));
     if (!profile_file) return profile_file.error();
     const auto times_file = open_memory_file("layer-times");
     if (!times_file) return times_file.error();
+    const auto points_file = open_memory_file("point-times");
+    if (!points_file) return points_file.error();
     remove_stale_private_segments();
     CoreLaunch launch;
     launch.segment_name = private_segment_name();
@@ -57,6 +67,10 @@ Result<PlannedTime> planned_time(std::span<const std::byte> blob, const JobView&
     launch.profile_path = path_of(*profile_file);
     launch.layer_times_path = "fd:" + std::to_string(times_file->get());
     launch.inherited_fds = {profile_file->get(), times_file->get()};
+    if (keeps_points) {
+        launch.point_times_path = "fd:" + std::to_string(points_file->get());
+        launch.inherited_fds.push_back(points_file->get());
+    }
     launch.capacity_layers = std::max(launch.capacity_layers, job.layer_count());
     launch.capacity_points = std::max(launch.capacity_points, job.point_count());
     auto core = CoreProcess::start(launch);
@@ -73,6 +87,11 @@ Result<PlannedTime> planned_time(std::span<const std::byte> blob, const JobView&
             auto layers = layer_seconds_in(*times_file, job.layer_count());
             if (!layers) return layers.error();
             planned.layer_seconds = std::move(*layers);
+            if (keeps_points) {
+                auto points = points_in(*points_file, job);
+                if (!points) return points.error();
+                planned.points = std::move(*points);
+            }
             if (status->reference_seconds >= 0.0) planned.reference_seconds = status->reference_seconds;
             return planned;
         }

@@ -8,6 +8,8 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstddef>
+#include <cstring>
 #include <random>
 #include <span>
 #include <utility>
@@ -71,7 +73,6 @@ Result<std::unique_ptr<RecordedPins>> RecordedPins::start(MachineLink& link, con
     made->pipe_ = std::move(pipe->write_end);
     if (file_job == FileJob::carried && !trace_path.ends_with(".vcd")) {
         made->job_blob_ = {reinterpret_cast<const std::byte*>(&job.header()), job.header().total_bytes};
-        made->bytes_before_job_ = sizeof(TraceHeader);
     }
     if (const auto begun = made->begin(trace_path); !begun) return begun.error();
     made->thread_ = std::thread{[self = made.get()] { self->read_pieces(); }};
@@ -198,9 +199,13 @@ void RecordedPins::write_file(std::span<const std::uint8_t> bytes) {
     const auto write = [this](std::span<const std::uint8_t> some) {
         file_->write({reinterpret_cast<const char*>(some.data()), some.size()});
     };
-    if (!job_blob_.empty() && bytes.size() >= bytes_before_job_) {
-        write(bytes.first(bytes_before_job_));
-        bytes = bytes.subspan(bytes_before_job_);
+    // The head is less than a piece.
+    if (!job_blob_.empty() && bytes.size() >= sizeof(TraceHeader)) {
+        std::uint32_t version = 0;
+        std::memcpy(&version, bytes.data() + offsetof(TraceHeader, version), sizeof version);
+        const std::size_t head_bytes = std::min(trace_head_bytes(version), bytes.size());
+        write(bytes.first(head_bytes));
+        bytes = bytes.subspan(head_bytes);
         std::array<std::uint8_t, kTraceRecordMaxBytes> head{};
         const std::uint8_t* const end =
             encode_trace_job_head(head.data(), job_blob_.size(), job_checksum(job_blob_));
@@ -211,7 +216,6 @@ void RecordedPins::write_file(std::span<const std::uint8_t> bytes) {
             job_blob_ = job_blob_.subspan(piece.size());
         }
     }
-    bytes_before_job_ -= std::min(bytes_before_job_, bytes.size());
     write(bytes);
 }
 

@@ -68,7 +68,6 @@ private:
     UniqueFd pipe_;  ///< to the verifier
     std::optional<TraceOutput> file_;
     std::span<const std::byte> job_blob_;  ///< carried by the file behind its head; empty: not carried
-    std::size_t bytes_before_job_ = 0;     ///< bytes still to come
     std::unique_ptr<PipeVerification> verification_;
     enum class Phase : std::uint8_t { running, ending, given_up };
     std::atomic<Phase> phase_{Phase::running};

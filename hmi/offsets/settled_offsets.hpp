@@ -16,7 +16,7 @@ namespace psicarve::offsets {
 enum class ProgramFate : std::uint8_t {
     ended,    ///< in order, all of it run: they are kept
     running,  ///< not known yet
-    failed,   ///< stopped, failed, or nobody knows any more: they are dropped
+    failed,   ///< stopped, failed, or not known any more: they are dropped
 };
 
 /// The run of a program in the core that serves the segment now.

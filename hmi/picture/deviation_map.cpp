@@ -28,13 +28,18 @@ CellRange cells_of(std::size_t pixel, std::size_t pixels, std::uint32_t cells) {
     return {first, std::max(first + 1, end)};
 }
 
+bool is_shown(const CarvedSurface& surface, std::uint32_t layer, std::uint32_t direction, MapShows shows) {
+    if (shows == MapShows::all || surface.is_carved(layer, direction)) return true;
+    return shows == MapShows::asked_for && surface.holds_point(layer, direction);
+}
+
 /// Nothing: none of them counts.
 std::optional<std::int32_t> largest_in(const CarvedSurface& surface, CellRange layers, CellRange directions,
-                                       bool shows_rest) {
+                                       MapShows shows) {
     std::optional<std::int32_t> largest;
     for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) {
         for (std::uint32_t d = directions.first; d < directions.end; ++d) {
-            if (!shows_rest && !surface.is_carved(layer, d)) continue;
+            if (!is_shown(surface, layer, d, shows)) continue;
             const std::int32_t deviation = surface.deviation_pulses(layer, d);
             if (!largest || std::abs(deviation) > std::abs(*largest)) largest = deviation;
         }
@@ -116,7 +121,7 @@ Colour DeviationScale::colour(double pulses) const noexcept {
 }
 
 PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale& scale, std::size_t width_px,
-                              std::size_t height_px, bool shows_rest) {
+                              std::size_t height_px, MapShows shows) {
     PixelImage image;
     image.width = width_px;
     image.height = height_px;
@@ -127,7 +132,7 @@ PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale
             const CellRange directions = cells_of(x, width_px, surface.direction_count());
             if (surface.is_spiral())
                 layers = spiral_layers(surface, directions.first, height_px - 1 - y, height_px);
-            const auto pulses = largest_in(surface, layers, directions, shows_rest);
+            const auto pulses = largest_in(surface, layers, directions, shows);
             std::uint32_t& pixel = image.argb[y * width_px + x];
             pixel = pulses
                         ? pixel_of(scale.colour(*pulses),

@@ -10,6 +10,13 @@
 
 namespace psicarve::verify {
 
+/// What stands in the colour of its deviation; all else is kUncarvedColour, flat.
+enum class MapShows {
+    all,        ///< whole job: what was not carved is left on
+    asked_for,  ///< some layers: the same of these alone
+    carved,     ///< cut short: nobody knows how far it was to come
+};
+
 /// Of places that nothing was carved at yet: darker than a carved one in whatever light.
 inline constexpr std::array<double, 3> kUncarvedColour{0.42, 0.44, 0.48};
 
@@ -27,8 +34,7 @@ private:
 
 /// The piece unrolled, direction 0 at the left, the highest layer at the top. A pixel shows the largest
 /// deviation among its cells, so that a single stray cut is visible; the relief shines through in grey.
-/// `shows_rest`: what was not carved in the colour of all that it leaves, else in kUncarvedColour, flat.
 PixelImage draw_deviation_map(const CarvedSurface& surface, const DeviationScale& scale, std::size_t width_px,
-                              std::size_t height_px, bool shows_rest = true);
+                              std::size_t height_px, MapShows shows = MapShows::all);
 
 }  // namespace psicarve::verify

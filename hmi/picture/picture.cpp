@@ -36,10 +36,9 @@ double round_length(double most) {
     return power;
 }
 
-std::string verdict_of(const PictureCaption& caption) {
-    if (!caption.verified) return "NOT verified";
-    if (caption.has_lost_steps) return "STEPS LOST";
-    return caption.is_of_carved_alone ? "verified as far as it went" : "verified on the pins";
+MapShows shown_of(const PictureCaption& caption) {
+    if (caption.is_of_carved_alone) return MapShows::carved;
+    return caption.is_of_part ? MapShows::asked_for : MapShows::all;
 }
 
 void draw_title(Canvas& canvas, const PieceGrid& grid, const CarvedSurface& surface,
@@ -126,6 +125,13 @@ void draw_uncarved_key(Canvas& canvas) {
 
 }  // namespace
 
+std::string verdict_of(const PictureCaption& caption) {
+    if (!caption.verified) return "NOT verified";
+    if (caption.has_lost_steps) return "STEPS LOST";
+    if (caption.is_dry) return "dry run, verified on the pins";
+    return caption.is_of_carved_alone ? "verified as far as it went" : "verified on the pins";
+}
+
 PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
     PictureCaption caption;
     caption.model_name = std::string(job.source_name());
@@ -134,6 +140,8 @@ PictureCaption caption_of(const JobView& job, const VerifyReport& report) {
     caption.verified = report.ok;
     caption.max_deviation_pulses = report.max_deviation_pulses;
     caption.is_of_carved_alone = report.is_of_carved_alone();
+    caption.is_of_part = !report.is_whole_job;
+    caption.is_dry = report.is_dry;
     return caption;
 }
 
@@ -146,13 +154,14 @@ Result<std::vector<std::byte>> picture_png(const CarvedSurface& surface, const P
     draw_view(canvas, kSecondView, grid, kSecondAzimuth_deg, px_per_mm);
     draw_scale_bar(canvas, px_per_mm);
     const DeviationScale scale(caption.max_deviation_pulses);
+    const MapShows shows = shown_of(caption);
     canvas.text(kMap.x, kMap.y - 8.0, "deviation from the job", kHeading);
     canvas.image(kMap.x, kMap.y,
                  draw_deviation_map(surface, scale, static_cast<std::size_t>(kMap.width),
-                                    static_cast<std::size_t>(kMap.height), !caption.is_of_carved_alone));
+                                    static_cast<std::size_t>(kMap.height), shows));
     draw_map_axes(canvas, grid);
     draw_colour_bar(canvas, scale, 1.0 / surface.pulses_per_mm());
-    if (caption.is_of_carved_alone) draw_uncarved_key(canvas);
+    if (shows != MapShows::all) draw_uncarved_key(canvas);
     return canvas.png();
 }
 

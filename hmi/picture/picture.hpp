@@ -21,8 +21,13 @@ struct PictureCaption {
     bool has_lost_steps = false;  ///< the machine did not follow the pins
     std::int64_t max_deviation_pulses = 0;
     bool is_of_carved_alone = false;  ///< it was cut short: what is left to carve is no deviation
+    bool is_of_part = false;          ///< some layers were asked for: what lies outside them is no deviation
+    bool is_dry = false;
 };
 PictureCaption caption_of(const JobView& job, const VerifyReport& report);
+
+/// The badge beside the title.
+std::string verdict_of(const PictureCaption& caption);
 
 /// An 800 pixel wide PNG: the carved piece from two sides, shaded, beside the unrolled map of its deviations
 /// from the job.

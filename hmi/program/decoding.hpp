@@ -45,7 +45,7 @@ struct Decoded {
     std::vector<SketchPoint> path;
     gcode::Approach approach;    ///< to request.from_line
     gcode::KeptOffsets offsets;  ///< that it begins with
-    std::string offsets_path;    ///< whose they are; empty: nobody's
+    std::string offsets_path;    ///< their file; empty: none
 
     bool is_right() const noexcept { return problems.error_count() == 0; }
 };

@@ -49,7 +49,7 @@ private:
     double tolerance_mm_ = 0.0;
 };
 
-/// The piece that stands for a line's move, from 1; 0: none does, or several: which of them runs nobody
+/// The piece that stands for a line's move, from 1; 0: none does, or several: which of them runs is not
 /// knows.
 std::size_t piece_of_line(const std::vector<SketchPoint>& points, std::uint64_t line) noexcept;
 

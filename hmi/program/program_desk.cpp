@@ -49,7 +49,7 @@ void ProgramDesk::cancel() {
 }
 
 void ProgramDesk::poll(const ProgramReport& report) {
-    // Whoever has the claim has the one program that runs.
+    // The claim's owner has the one program that runs.
     const bool is_own = process_.pid() != 0 && report.writer_pid == process_.pid();
     if (is_own && report.status.is_running != 0) own_program_ = report.status.program;
     if (auto read = decoder_.take()) {

@@ -87,7 +87,7 @@ Error changed_since(const std::string& path) {
     return bad_input(path + ": has been changed since it was read; decode it again");
 }
 
-/// Somebody may set a zero between the look at the path and the start.
+/// A zero may be set between the look at the path and the start.
 Result<void> require_same_offsets(const RunRequest& request, const Profile& profile) {
     if (!request.offsets) return {};
     DecodeRequest asked;

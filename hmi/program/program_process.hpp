@@ -54,7 +54,7 @@ public:
     /// What is on its way to the machine is not run. Once the core runs it, it is the core's to stop.
     void give_up() noexcept;
     State state() const noexcept { return state_; }
-    /// Its number, as whoever has the program's claim has it; 0: none.
+    /// Its number, as that of the program's claim; 0: none.
     std::uint32_t pid() const noexcept { return pid_ ? static_cast<std::uint32_t>(*pid_) : 0; }
     /// How it ended, once.
     std::optional<Ended> poll();

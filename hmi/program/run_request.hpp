@@ -32,7 +32,7 @@ struct RunRequest {
     std::string group;         ///< empty: none
     std::string profile_path;  ///< of the core's profile
     std::optional<gcode::FileState> state =
-        {};  ///< that it was judged in; nothing: whoever runs it judges it
+        {};  ///< that it was judged in; nothing: the process that runs it judges it
     bool is_simulator = false;
     bool is_typed = false;                           ///< a block of the MDI line
     std::optional<gcode::KeptOffsets> offsets = {};  ///< that it was judged with; nothing: as with `state`

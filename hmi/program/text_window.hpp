@@ -11,7 +11,8 @@
 
 namespace psicarve::program {
 
-/// The lines of a program that are looked at, read when they are wanted by a thread that nobody waits for.
+/// The lines of a program that are looked at, read when they are wanted by a thread of its own; no caller
+/// waits.
 class TextWindow {
 public:
     /// Null: none.

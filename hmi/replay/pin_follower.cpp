@@ -10,6 +10,8 @@ using verify::TraceEvent;
 PinFollower::PinFollower(const verify::TraceStart& start, const Profile& profile) : backlash_(profile) {
     moment_.levels = start.initial_levels;
     moment_.position_pulses = start.position_pulses;
+    // With another machine's profile it is shown as well as that allows; a judge refuses it.
+    (void)backlash_.begin(start);
 }
 
 void PinFollower::take(const TraceEvent& event) noexcept {

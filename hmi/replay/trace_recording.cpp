@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hmi/phrase/error_phrase.hpp"
+#include "hmi/replay/replayed_records.hpp"
 #include "hmi/session/display_text.hpp"
 
 namespace psicarve::replay {
@@ -132,22 +133,36 @@ void TraceRecording::measure_activity() {
     for (const double rate : rates) facts_.activity.push_back(static_cast<float>(rate / most));
 }
 
+/// False: they are of another run. `from`: the states, too, that held before them.
+bool TraceRecording::show_records(const std::vector<FlightRecord>& records,
+                                  const std::vector<FlightRecord>& from) {
+    RecordStates states{from};
+    if (!records_fit(records, states)) return false;
+    states_ = std::move(states);
+    facts_.knows_states = !states_.is_empty();
+    record_count_ = records.size();
+    facts_.entries.clear();
+    for (const FlightRecord& record : records)
+        facts_.entries.push_back(entry_of(record, time_of_ticks(record.tick, index_->start().period_ns)));
+    return true;
+}
+
+/// The core of `replay` counts its own ticks, and begins where the machine was at rest.
+bool TraceRecording::show_replayed(const std::vector<FlightRecord>& records) {
+    const auto ways = replayed_records(records, *index_);
+    return std::ranges::any_of(
+        ways, [this](const ReplayedRecords& way) { return show_records(way.shown, way.states); });
+}
+
 void TraceRecording::take_records(const Company& company) {
     if (company.records.empty()) return;
-    RecordStates states{company.records};
-    if (!records_fit(company.records, states)) {
+    if (!show_records(company.records, company.records) && !show_replayed(company.records)) {
         facts_.warnings.push_back(
             phrase("%1: its flight recorder tells of another run; its entries are not shown",
                    name_of_file(company.records_path.empty() ? company.path : company.records_path)));
         return;
     }
-    states_ = std::move(states);
-    facts_.knows_states = !states_.is_empty();
-    record_count_ = company.records.size();
     if (company.job) facts_.asked = verify::asked_carving(company.job->view, company.records);
-    facts_.entries.clear();
-    for (const FlightRecord& record : company.records)
-        facts_.entries.push_back(entry_of(record, time_of_ticks(record.tick, index_->start().period_ns)));
 }
 
 Check TraceRecording::job_row(const Company& company) const {

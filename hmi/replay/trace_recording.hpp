@@ -43,6 +43,8 @@ private:
     Result<bool> takes_job(const Company& company);
     void measure_activity();
     void take_records(const Company& company);
+    bool show_records(const std::vector<FlightRecord>& records, const std::vector<FlightRecord>& states);
+    bool show_replayed(const std::vector<FlightRecord>& records);
     session::Check job_row(const Company& company) const;
     void list_contents(const Company& company);
     void guess_state(CoreStatus& status) const noexcept;

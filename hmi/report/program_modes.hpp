@@ -17,9 +17,9 @@ namespace psicarve::report {
 // What holds for a program that runs, as its writer tells it. Nothing of it is believed: a code that is none
 // and a number that is none are left out.
 
-/// "G1 G17 G21 G90 G94 G54 G64 M3 M9"; empty: nobody knows.
+/// "G1 G17 G21 G90 G94 G54 G64 M3 M9"; empty: not known.
 std::string codes_text(const ProgramModes& modes);
-/// "G54"; empty: nobody knows.
+/// "G54"; empty: not known.
 std::string system_text(const ProgramModes& modes);
 /// "600", "0.1": a number as it is written in a program.
 std::string word_text(double value);

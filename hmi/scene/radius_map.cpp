@@ -11,11 +11,6 @@ namespace {
 
 constexpr double kMostHill = 0.18;  // of the lightness
 
-double within_turn(double angle_deg) noexcept {
-    const double rest = std::fmod(angle_deg, kDegPerRev);
-    return rest < 0.0 ? rest + kDegPerRev : rest;
-}
-
 /// A head's pulses as the real radius of its tip.
 struct Head {
     double pulses_per_mm;
@@ -79,6 +74,11 @@ std::uint32_t scaled(std::uint32_t rgb, double factor) noexcept {
 }
 
 }  // namespace
+
+double within_turn(double angle_deg) noexcept {
+    const double rest = std::fmod(angle_deg, kDegPerRev);
+    return rest < 0.0 ? rest + kDegPerRev : rest;
+}
 
 LayerRim layer_rim(const cam::PreparedJob& job, std::uint32_t layer) {
     const auto heads = heads_of(job.profile);

@@ -11,6 +11,9 @@
 
 namespace psicarve::session {
 
+/// An angle as one from 0 to below 360 degrees.
+double within_turn(double angle_deg) noexcept;
+
 /// One point of a layer on the workpiece.
 struct RimPoint {
     double direction_deg;  ///< of the workpiece, 0 to 360

@@ -13,7 +13,7 @@
 namespace psicarve::session {
 
 /// What happened to the machine before the window was opened, over the restarts of cores and windows, by the
-/// cores' own journals. Read once, on a thread that nobody waits for: a disk may hang. One owner's thread.
+/// cores' own journals. Read once, on a thread of its own: a disk may hang. One owner's thread.
 class JournalHistory {
 public:
     static constexpr std::size_t kMost = 5000;

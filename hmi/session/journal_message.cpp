@@ -202,7 +202,7 @@ void tell_program_end(const JournalFacts& facts, Message& told) {
     if (how != "done") told.severity = Severity::warning;
 }
 
-/// A reason that nobody knows is left out.
+/// A reason that is not known is left out.
 void tell_program_hold(const JournalFacts& facts, Message& told) {
     told.what = phrase("Program held in line %1", number_of(facts, "line"));
     const std::string how = facts.text("how");

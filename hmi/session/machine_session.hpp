@@ -161,7 +161,7 @@ private:
     Clock::time_point attach_tried_{};
     Clock::time_point saved_looked_{};
     std::optional<bool> saved_kind_;  ///< of the machine heard then: simulated; nothing: none was heard
-    std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name nobody who lives
+    std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name no living process
     StartIntent intent_;
     bool has_looked_ = false;  ///< has looked for a core, and knows whether one was there
     bool watches_only_ = false;

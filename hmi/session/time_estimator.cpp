@@ -9,7 +9,7 @@ namespace psicarve::session {
 namespace {
 
 Result<machine::PlannedTime> plan_by_core(const cam::PreparedJob& job, const std::function<bool()>& goes_on) {
-    return machine::planned_time(job.blob, job.view, job.profile, goes_on);
+    return machine::planned_time(job.blob, job.view, job.profile, goes_on, true);
 }
 
 }  // namespace

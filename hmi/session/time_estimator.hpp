@@ -38,6 +38,9 @@ public:
         return job && job == planned_job_ ? planned_ : std::nullopt;
     }
 
+    /// It was tried, and said why in the log.
+    bool has_failed(const Job& job) const noexcept { return job && job == planned_job_ && !planned_; }
+
 private:
     void begin();
     void give_up();

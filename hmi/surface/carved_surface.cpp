@@ -13,7 +13,8 @@ CarvedSurface::CarvedSurface(const JobGeometry& geometry)
       radius_mm_(std::size_t{geometry.row_count()} * geometry.direction_count(),
                  static_cast<float>(geometry.blank_radius_mm())),
       deviation_(radius_mm_.size(), kWithoutPoint),
-      reached_(radius_mm_.size(), 0) {
+      reached_(radius_mm_.size(), 0),
+      has_points_(geometry.row_count(), 0) {
     expect_points();
 }
 
@@ -30,6 +31,7 @@ void CarvedSurface::expect_points() {
                 const std::int64_t psi = geometry_.job().psi_pulses(layer, point);
                 const std::uint32_t cell = geometry_.cell_of(geometry_.direction(h, psi));
                 deviation_[std::size_t{*row} * direction_count() + cell] = kUntouched;
+                has_points_[*row] = 1;
             }
         }
     }
@@ -70,7 +72,8 @@ std::int32_t CarvedSurface::deviation_pulses(std::uint32_t layer, std::uint32_t 
 
 bool CarvedSurface::is_carved(std::uint32_t layer, std::uint32_t direction) const noexcept {
     const std::size_t index = std::size_t{layer} * direction_count() + direction;
-    return (reached_[index] & (deviation_[index] == kWithoutPoint ? kReached : kCarved)) != 0;
+    if (holds_point(layer, direction)) return (reached_[index] & kCarved) != 0;
+    return has_points_[layer] != 0 && (reached_[index] & kReached) != 0;
 }
 
 std::int64_t CarvedSurface::max_deviation_pulses() const noexcept {

@@ -42,9 +42,13 @@ public:
     std::int64_t max_deviation_pulses() const noexcept;
     /// The same among those of them that were carved, or cut too deep.
     std::int64_t max_carved_deviation_pulses() const noexcept;
-    /// Whether a point here was carved or missed, or the cell was cut too deep; without a point, whether a
-    /// tip was here at all.
+    /// Whether a point here was carved or missed, or the cell was cut too deep; between the points of a
+    /// layer that is to be carved, whether a tip was here at all.
     bool is_carved(std::uint32_t layer, std::uint32_t direction) const noexcept;
+    /// Whether a point that is to be carved lies here, or the cell was cut too deep.
+    bool holds_point(std::uint32_t layer, std::uint32_t direction) const noexcept {
+        return deviation_[std::size_t{layer} * direction_count() + direction] != kWithoutPoint;
+    }
     /// Cells that no tip reached. R2's errors of angle and height leave such cells in a complete carving.
     std::uint64_t uncarved_cells() const noexcept;
 
@@ -85,6 +89,7 @@ private:
     std::vector<float> radius_mm_;
     std::vector<std::int16_t> deviation_;
     std::vector<std::uint8_t> reached_;
+    std::vector<std::uint8_t> has_points_;  ///< by layer: 1 where any are to be carved
 };
 
 }  // namespace psicarve::verify

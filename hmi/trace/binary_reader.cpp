@@ -77,11 +77,11 @@ Result<void> BinaryReader::read_header() {
     TraceHeader header;
     std::memcpy(&header, bytes.data(), sizeof header);
     if (header.magic != kTraceMagic) return source_.bad_at(0, "not a binary pin trace");
-    if (header.version < kOldestTraceVersion || header.version > kTraceVersion)
+    if (header.version < kOldestTraceVersion || header.version > kCrossedTraceVersion)
         return source_.bad_at(offsetof(TraceHeader, version),
                               "trace version " + std::to_string(header.version) +
                                   "; this program reads version " + std::to_string(kOldestTraceVersion) +
-                                  " to " + std::to_string(kTraceVersion));
+                                  " to " + std::to_string(kCrossedTraceVersion));
     if (header.period_ns <= 0)
         return source_.bad_at(offsetof(TraceHeader, period_ns), "a tick period of no time");
     if ((header.initial_levels & ~kAllSignals) != 0)
@@ -97,6 +97,22 @@ Result<void> BinaryReader::read_header() {
     start_.may_carry_jobs = header.version > kOldestTraceVersion;
     levels_ = header.initial_levels;
     source_.consume(sizeof(TraceHeader));
+    return header.version >= kCrossedTraceVersion ? read_crossed() : Result<void>{};
+}
+
+Result<void> BinaryReader::read_crossed() {
+    auto wanted = source_.want(sizeof(TraceCrossed));
+    if (!wanted) return wanted;
+    const std::string_view bytes = source_.unread();
+    if (bytes.size() < sizeof(TraceCrossed))
+        return source_.bad_at(bytes.size(), "the trace is cut off inside its header");
+    TraceCrossed crossed;
+    std::memcpy(&crossed, bytes.data(), sizeof crossed);
+    if (!std::ranges::all_of(crossed.crossed_pulses, is_trace_gap))
+        return source_.bad_at(0, "a gap crossed by less than nothing or beyond all bounds");
+    std::copy(std::begin(crossed.crossed_pulses), std::end(crossed.crossed_pulses),
+              start_.crossed_pulses.begin());
+    source_.consume(sizeof(TraceCrossed));
     return {};
 }
 

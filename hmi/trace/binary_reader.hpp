@@ -37,6 +37,7 @@ public:
     Place place() const noexcept { return {source_.offset(), tick_, time_ns_, levels_}; }
 
     const TraceStart& start() const noexcept override { return start_; }
+    const std::string& name() const noexcept override { return source_.name(); }
     Result<std::size_t> read(std::span<TraceEvent> events) override;
     std::size_t jobs_begun() const noexcept override { return jobs_begun_; }
 
@@ -55,6 +56,7 @@ private:
 
     explicit BinaryReader(ByteSource source) : source_(std::move(source)) {}
     Result<void> read_header();
+    Result<void> read_crossed();
     Decoded decode(TraceEvent& event);
     Decoded fail(const char* text);
     Result<void> pass_job(Job& job, bool keeps_blob);

@@ -19,6 +19,11 @@ constexpr bool is_trace_position(std::int64_t position_pulses) noexcept {
     return position_pulses <= kMostTracePosition_pulses && position_pulses >= -kMostTracePosition_pulses;
 }
 
+/// Nor has any screw such a gap.
+constexpr bool is_trace_gap(std::int64_t crossed_pulses) noexcept {
+    return crossed_pulses >= 0 && is_trace_position(crossed_pulses);
+}
+
 /// One event of a pin trace, whatever its file format. Times never fall from one event to the next.
 struct TraceEvent {
     enum class Kind : std::uint32_t {
@@ -37,8 +42,10 @@ struct TraceStart {
     SignalWord present = 0;  ///< bit by signal: the trace has that wire; others read 0
     bool has_positions = false;
     std::array<std::int64_t, kAxisCount> position_pulses{};  ///< by axis; 0 when the trace does not say
-    std::int64_t period_ns = 0;                              ///< the core's tick; 0: unknown
-    bool may_carry_jobs = false;                             ///< its form and version can carry jobs
+    /// By axis: of its screw's gap, crossed downwards; never negative, 0 when the trace does not say.
+    std::array<std::int64_t, kAxisCount> crossed_pulses{};
+    std::int64_t period_ns = 0;   ///< the core's tick; 0: unknown
+    bool may_carry_jobs = false;  ///< its form and version can carry jobs
 };
 
 /// A pin trace as a stream. Memory does not grow with the trace.
@@ -47,6 +54,8 @@ public:
     virtual ~TraceReader() = default;
 
     virtual const TraceStart& start() const noexcept = 0;
+    /// The file's, for what is wrong with it.
+    virtual const std::string& name() const noexcept = 0;
 
     /// Fills the front of `events` and returns how many; 0 means the trace's proper end. From a pipe it
     /// returns what is there, at least one, and waits only for that one. Garbage and a trace that was cut

@@ -34,6 +34,24 @@ std::string_view bare_name(std::string_view name) {
     return dot == std::string_view::npos ? name : name.substr(dot + 1);
 }
 
+/// "r1=1 r2=2 psi=3 y=4", all four.
+template <typename Accepts>
+std::optional<std::array<std::int64_t, kAxisCount>> four_axes(std::string_view text, Accepts accepts) {
+    std::array<std::int64_t, kAxisCount> pulses{};
+    unsigned seen = 0;
+    for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
+        const std::size_t equals = word.find('=');
+        if (equals == std::string_view::npos) return std::nullopt;
+        const auto axis = axis_from_name(word.substr(0, equals));
+        const auto value = whole_number(word.substr(equals + 1));
+        if (!axis || !value || !accepts(*value)) return std::nullopt;
+        pulses[index_of(*axis)] = *value;
+        seen |= 1U << index_of(*axis);
+    }
+    if (seen != (1U << kAxisCount) - 1) return std::nullopt;
+    return pulses;
+}
+
 }  // namespace
 
 void VcdWires::declare(std::string_view identifier, std::string_view name, std::string_view bits) {
@@ -88,19 +106,11 @@ VcdComment VcdComment::from_text(std::string_view text) {
     const std::string_view kind = next_word(text);
     if (kind == "period_ns") comment.period_ns = whole_number(next_word(text));
     if (comment.period_ns && *comment.period_ns <= 0) comment.period_ns.reset();
-    if (kind != "position_pulses") return comment;
-    std::array<std::int64_t, kAxisCount> position{};
-    unsigned seen = 0;
-    for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
-        const std::size_t equals = word.find('=');
-        if (equals == std::string_view::npos) return comment;
-        const auto axis = axis_from_name(word.substr(0, equals));
-        const auto value = whole_number(word.substr(equals + 1));
-        if (!axis || !value || !is_trace_position(*value)) return comment;
-        position[index_of(*axis)] = *value;
-        seen |= 1U << index_of(*axis);
+    if (kind == "position_pulses") comment.position_pulses = four_axes(text, is_trace_position);
+    if (kind == "crossed_pulses") {
+        comment.crossed_pulses = four_axes(text, is_trace_gap);
+        comment.is_damaged = !comment.crossed_pulses;
     }
-    if (seen == (1U << kAxisCount) - 1) comment.position_pulses = position;
     return comment;
 }
 

@@ -56,7 +56,9 @@ struct VcdTimescale {
 /// The content of a comment that our writer made; other comments have none.
 struct VcdComment {
     std::optional<std::array<std::int64_t, kAxisCount>> position_pulses;
+    std::optional<std::array<std::int64_t, kAxisCount>> crossed_pulses;
     std::optional<std::int64_t> period_ns;
+    bool is_damaged = false;  ///< it is to give crossed_pulses, and does not
 
     static VcdComment from_text(std::string_view text);
 };

@@ -264,6 +264,8 @@ Result<void> VcdReader::take_value(char value, std::string_view identifier) {
 Result<void> VcdReader::take_comment() {
     const VcdComment comment = VcdComment::from_text(block_);
     if (comment.period_ns && !opened_) start_.period_ns = *comment.period_ns;
+    if (comment.is_damaged && !opened_) return bad_word("crossed_pulses are not four counts from 0 on");
+    if (comment.crossed_pulses && !opened_) start_.crossed_pulses = *comment.crossed_pulses;
     if (!comment.position_pulses) return {};
     if (!opened_) {
         start_.position_pulses = *comment.position_pulses;

@@ -23,6 +23,7 @@ public:
     static Result<std::unique_ptr<TraceReader>> open(ByteSource source);
 
     const TraceStart& start() const noexcept override { return start_; }
+    const std::string& name() const noexcept override { return source_.name(); }
     Result<std::size_t> read(std::span<TraceEvent> events) override;
 
 private:

@@ -392,6 +392,10 @@
             <translation>Ещё %1: шли слишком быстро и не записаны</translation>
         </message>
         <message>
+            <source>%1 ms</source>
+            <translation>%1 мс</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>чисел %1, а не %2</translation>
         </message>
@@ -824,6 +828,10 @@
             <translation>--port io:ADDRESS отклоняется</translation>
         </message>
         <message>
+            <source>0 ms</source>
+            <translation>0 мс</translation>
+        </message>
+        <message>
             <source>1 % later than %1</source>
             <translation>1 % позже %1</translation>
         </message>
@@ -1044,6 +1052,10 @@
             <translation>Все файлы (*)</translation>
         </message>
         <message>
+            <source>All layers, unrolled</source>
+            <translation>Все слои, развёртка</translation>
+        </message>
+        <message>
             <source>All round</source>
             <translation>По кругу</translation>
         </message>
@@ -1086,6 +1098,10 @@
         <message>
             <source>As large as the machine's travel and the blank let it be</source>
             <translation>Настолько большая, насколько позволяют ход станка и заготовка</translation>
+        </message>
+        <message>
+            <source>As planned, at 100 % feed: bright where the heads take long</source>
+            <translation>По плану, при подаче 100 %: светло там, где головки идут долго</translation>
         </message>
         <message>
             <source>As the desktop</source>
@@ -3173,6 +3189,18 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Нули не найдены, задание есть</translation>
         </message>
         <message>
+            <source>Not known yet: the job is planned while the machine rests</source>
+            <translation>Пока неизвестно: задание планируется, когда станок стоит</translation>
+        </message>
+        <message>
+            <source>Not known: the job could not be planned; page Messages says why</source>
+            <translation>Неизвестно: задание не удалось спланировать; причина на странице «Сообщения»</translation>
+        </message>
+        <message>
+            <source>Not known: the job of a recording is not planned</source>
+            <translation>Неизвестно: задание записи не планируется</translation>
+        </message>
+        <message>
             <source>Not now</source>
             <translation>Не сейчас</translation>
         </message>
@@ -3951,10 +3979,6 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>Radii</source>
             <translation>Радиусы</translation>
-        </message>
-        <message>
-            <source>Radii of all layers, unrolled</source>
-            <translation>Радиусы всех слоёв, развёртка</translation>
         </message>
         <message>
             <source>Radius</source>
@@ -4929,6 +4953,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Ось файла, меняющая знак до поворота модели</translation>
         </message>
         <message>
+            <source>The axis that is at its top speed or acceleration, else the feed</source>
+            <translation>Ось, достигшая предельной скорости или ускорения, иначе подача</translation>
+        </message>
+        <message>
             <source>The backup is being read</source>
             <translation>Копия читается</translation>
         </message>
@@ -5681,8 +5709,8 @@ N, Shift+N  следующая, предыдущая запись
             <translation>Развёртка</translation>
         </message>
         <message>
-            <source>Unrolled Ψ–Y map of radii</source>
-            <translation>Развёртка радиусов Ψ–Y</translation>
+            <source>Unrolled Ψ–Y map:</source>
+            <translation>Развёртка Ψ–Y:</translation>
         </message>
         <message>
             <source>Up axis</source>
@@ -5819,6 +5847,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>What the job and its tool will leave, and how far it is from the model</source>
             <translation>Что оставят задание и его инструмент и насколько это далеко от модели</translation>
+        </message>
+        <message>
+            <source>What the map shows</source>
+            <translation>Что показывает развёртка</translation>
         </message>
         <message>
             <source>What the mesh is made of, what is wrong with it and what no tool reaches</source>
@@ -6921,6 +6953,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>entries of the flight recorder</source>
             <translation>записей самописца</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>подача</translation>
         </message>
         <message>
             <source>feed %1 %</source>
@@ -8027,6 +8063,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>обычное планирование</translation>
         </message>
         <message>
+            <source>other</source>
+            <translation>прочее</translation>
+        </message>
+        <message>
             <source>other programs and interrupts run where the tick does</source>
             <translation>другие программы и прерывания работают там же, где такт</translation>
         </message>
@@ -8221,6 +8261,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>queue: %1 of %2</source>
             <translation>очередь: %1 из %2</translation>
+        </message>
+        <message>
+            <source>radii</source>
+            <translation>радиусы</translation>
         </message>
         <message>
             <source>radii of R1: %1 points differ, the first in layer %2, point %3, counted from 0</source>
@@ -9111,6 +9155,10 @@ N, Shift+N  следующая, предыдущая запись
             <translation>разрыв тактов</translation>
         </message>
         <message>
+            <source>time from point to point</source>
+            <translation>время между точками</translation>
+        </message>
+        <message>
             <source>time not known</source>
             <translation>время неизвестно</translation>
         </message>
@@ -9277,6 +9325,10 @@ N, Shift+N  следующая, предыдущая запись
         <message>
             <source>was written by another build of psicarve</source>
             <translation>записан другой сборкой psicarve</translation>
+        </message>
+        <message>
+            <source>what bounds the speed</source>
+            <translation>что ограничивает скорость</translation>
         </message>
         <message>
             <source>what lies beyond the edge of &lt;%1&gt; is carved, too.</source>

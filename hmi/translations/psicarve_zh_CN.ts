@@ -392,6 +392,10 @@
             <translation>另有 %1 条来得太快，未能记录</translation>
         </message>
         <message>
+            <source>%1 ms</source>
+            <translation>%1 ms</translation>
+        </message>
+        <message>
             <source>%1 numbers, not %2</source>
             <translation>有 %1 个数，应为 %2 个</translation>
         </message>
@@ -824,6 +828,10 @@
             <translation>--port io:ADDRESS 会被拒绝</translation>
         </message>
         <message>
+            <source>0 ms</source>
+            <translation>0 ms</translation>
+        </message>
+        <message>
             <source>1 % later than %1</source>
             <translation>1 % 晚于 %1</translation>
         </message>
@@ -1044,6 +1052,10 @@
             <translation>所有文件 (*)</translation>
         </message>
         <message>
+            <source>All layers, unrolled</source>
+            <translation>所有层的展开图</translation>
+        </message>
+        <message>
             <source>All round</source>
             <translation>整周</translation>
         </message>
@@ -1086,6 +1098,10 @@
         <message>
             <source>As large as the machine's travel and the blank let it be</source>
             <translation>在机床行程和毛坯允许范围内尽可能大</translation>
+        </message>
+        <message>
+            <source>As planned, at 100 % feed: bright where the heads take long</source>
+            <translation>按规划、进给 100 %：越亮表示刀头用时越长</translation>
         </message>
         <message>
             <source>As the desktop</source>
@@ -3172,6 +3188,18 @@ N、Shift+N  下一条、上一条记录
             <translation>未回零，作业已发布</translation>
         </message>
         <message>
+            <source>Not known yet: the job is planned while the machine rests</source>
+            <translation>尚不清楚：机床静止时才规划作业</translation>
+        </message>
+        <message>
+            <source>Not known: the job could not be planned; page Messages says why</source>
+            <translation>未知：无法规划该作业；原因见“消息”页</translation>
+        </message>
+        <message>
+            <source>Not known: the job of a recording is not planned</source>
+            <translation>未知：不规划记录中的作业</translation>
+        </message>
+        <message>
             <source>Not now</source>
             <translation>暂不</translation>
         </message>
@@ -3946,10 +3974,6 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>Radii</source>
             <translation>半径</translation>
-        </message>
-        <message>
-            <source>Radii of all layers, unrolled</source>
-            <translation>所有层的半径展开图</translation>
         </message>
         <message>
             <source>Radius</source>
@@ -4924,6 +4948,10 @@ N、Shift+N  下一条、上一条记录
             <translation>在旋转模型之前，文件中改变符号的轴</translation>
         </message>
         <message>
+            <source>The axis that is at its top speed or acceleration, else the feed</source>
+            <translation>已达最高速度或加速度的轴，否则为进给</translation>
+        </message>
+        <message>
             <source>The backup is being read</source>
             <translation>正在读取备份</translation>
         </message>
@@ -5676,8 +5704,8 @@ N、Shift+N  下一条、上一条记录
             <translation>展开</translation>
         </message>
         <message>
-            <source>Unrolled Ψ–Y map of radii</source>
-            <translation>Ψ–Y 半径展开图</translation>
+            <source>Unrolled Ψ–Y map:</source>
+            <translation>Ψ–Y 展开图：</translation>
         </message>
         <message>
             <source>Up axis</source>
@@ -5814,6 +5842,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>What the job and its tool will leave, and how far it is from the model</source>
             <translation>作业及其刀具会留下什么，与模型相差多少</translation>
+        </message>
+        <message>
+            <source>What the map shows</source>
+            <translation>展开图显示的内容</translation>
         </message>
         <message>
             <source>What the mesh is made of, what is wrong with it and what no tool reaches</source>
@@ -6914,6 +6946,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>entries of the flight recorder</source>
             <translation>飞行记录条目数</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>进给</translation>
         </message>
         <message>
             <source>feed %1 %</source>
@@ -8020,6 +8056,10 @@ N、Shift+N  下一条、上一条记录
             <translation>普通调度</translation>
         </message>
         <message>
+            <source>other</source>
+            <translation>其他</translation>
+        </message>
+        <message>
             <source>other programs and interrupts run where the tick does</source>
             <translation>其他程序和中断与节拍在同一处理器上运行</translation>
         </message>
@@ -8214,6 +8254,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>queue: %1 of %2</source>
             <translation>队列：%1 / %2</translation>
+        </message>
+        <message>
+            <source>radii</source>
+            <translation>半径</translation>
         </message>
         <message>
             <source>radii of R1: %1 points differ, the first in layer %2, point %3, counted from 0</source>
@@ -9104,6 +9148,10 @@ N、Shift+N  下一条、上一条记录
             <translation>节拍中断</translation>
         </message>
         <message>
+            <source>time from point to point</source>
+            <translation>点间用时</translation>
+        </message>
+        <message>
             <source>time not known</source>
             <translation>时间未知</translation>
         </message>
@@ -9270,6 +9318,10 @@ N、Shift+N  下一条、上一条记录
         <message>
             <source>was written by another build of psicarve</source>
             <translation>由另一个版本的 psicarve 写成</translation>
+        </message>
+        <message>
+            <source>what bounds the speed</source>
+            <translation>限制速度的因素</translation>
         </message>
         <message>
             <source>what lies beyond the edge of &lt;%1&gt; is carved, too.</source>

@@ -17,7 +17,7 @@ namespace psicarve::ui {
 
 class ActionButton;
 
-/// What has stopped the machine, or what nobody can stop from here, where, why, and what to do. Only there
+/// What has stopped the machine, or what cannot be stopped from here, where, why, and what to do. Only there
 /// while there is something of that kind. In a narrow window its buttons stand below the text, which scrolls
 /// where a low one has no room for all of it.
 class AlarmBanner : public QFrame {

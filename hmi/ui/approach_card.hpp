@@ -13,7 +13,7 @@ namespace psicarve::ui {
 
 class ActionButton;
 
-/// What a run from a line does before that line, to be confirmed. Hidden while nobody asks for one.
+/// What a run from a line does before that line, to be confirmed. Hidden while none is asked for.
 class ApproachCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ApproachCard)
 public:

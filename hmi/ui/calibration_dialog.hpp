@@ -28,7 +28,7 @@ namespace psicarve::ui {
 class CalibrationDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CalibrationDialog)
 public:
-    /// Whoever else edits the profile.
+    /// The page that edits the profile, too.
     struct Page {
         std::function<std::optional<session::Phrase>()> lock;  ///< what it does with the file just now
         std::function<void()> written;                         ///< called once the file is another

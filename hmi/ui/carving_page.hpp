@@ -33,7 +33,7 @@ public:
     explicit CarvingPage(WindowContext& context, Drawing drawing, QWidget* parent = nullptr);
 
     void set_theme(const Tokens& tokens);
-    /// The record is kept whether or not somebody looks at the page.
+    /// The record is kept whether or not the page is shown.
     void refresh();
     const session::CarvingWatch& watch() const noexcept { return context_.carving; }
     MeshView& view() noexcept { return *view_; }

@@ -84,7 +84,7 @@ void CoreProfileBar::show_both() {
     for (QLabel* label : {&title(), details_}) set_plain_tip(*label, told(kAllKeys, "\n"));
 }
 
-/// Nobody knows what the core's is like.
+/// What the core's is like is not known.
 void CoreProfileBar::show_given() {
     const QString of_window = short_file_name(context_.machine.view().unused_profile);
     title().setText(

@@ -15,7 +15,7 @@ class QPushButton;
 namespace psicarve::ui {
 
 /// The core runs with another profile than the window was given: both, in what they differ, and a button that
-/// takes the core's over. Where nobody has found the core's: only that.
+/// takes the core's over. Where the core's was not found: only that.
 class CoreProfileBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CoreProfileBar)
 public:

@@ -22,7 +22,7 @@ public:
     explicit EngraveForm(std::function<void()> changed, QWidget* parent = nullptr);
 
     bool is_chosen() const;
-    /// As for another drawing; nobody is told.
+    /// As for another drawing; the change is not told.
     void begin_anew(bool is_engraved);
     /// Cut with the machine's tool; without a diameter of its own, into its blank.
     void fill(flat::FlatOptions& options, const Profile& machine) const;

@@ -7,7 +7,7 @@ class QWidget;
 
 namespace psicarve::ui {
 
-/// Whether somebody has used the mouse or the keyboard on a window or what belongs to it: from then on
+/// Whether the mouse or the keyboard was used on a window or what belongs to it: from then on
 /// nothing moves below the hand by itself. Also whether it was drawn by its title bar, which belongs to the
 /// desktop: its clicks do not come here, but the window moves again and again then; a desktop that finds a
 /// place for it moves it once or twice.

@@ -8,7 +8,7 @@
 namespace psicarve::ui {
 namespace {
 
-/// Events of this kind change nothing in what it watches, and go on to whoever is behind it.
+/// Events of this kind change nothing in what it watches, and go on to what is behind it.
 class EventIgnorer : public QObject {
 public:
     EventIgnorer(QObject* watched, QEvent::Type type) : QObject(watched), type_(type) {}

@@ -23,7 +23,7 @@ void set_styled(QWidget* widget, const char* property, const QVariant& value);
 QFrame* rule();
 /// A wheel that passes over it changes nothing: for what a machine follows at once.
 void ignore_wheel(QWidget* widget);
-/// Nor does a key that happens to come to it; whoever is behind it gets the key.
+/// Nor does a key that happens to come to it; what is behind it gets the key.
 void ignore_keys(QWidget* widget);
 
 /// A panel with a head line: its title, and something short at the right.

@@ -104,7 +104,7 @@ void HistogramView::draw() {
     for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setVisible(has_ticks);
     for (QCPItemText* count : counts_) plot_->removeItem(count);
     counts_.clear();
-    // The first bars that nobody was in say nothing.
+    // The first bars, as long as they are empty, say nothing.
     std::size_t first = 0;
     while (first + 1 < health_.bars.size() && health_.bars[first].ticks == 0) ++first;
     draw_bars(first);

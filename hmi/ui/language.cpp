@@ -7,7 +7,7 @@
 
 #include <memory>
 
-// In a static library nobody else asks for them; the macro wants no namespace around it.
+// In a static library nothing else asks for them; the macro wants no namespace around it.
 static void take_in_catalogues() {
     Q_INIT_RESOURCE(translations);
 }

@@ -15,18 +15,16 @@
 
 #include "hmi/session/display_text.hpp"
 #include "hmi/ui/frames.hpp"
+#include "hmi/ui/layer_map.hpp"
 #include "hmi/ui/lock_with.hpp"
 #include "hmi/ui/polar_view.hpp"
 #include "hmi/ui/radius_plot.hpp"
 #include "hmi/ui/tick_box.hpp"
-#include "hmi/ui/unrolled_view.hpp"
 #include "shared/base/units.hpp"
 
 namespace psicarve::ui {
 namespace {
 
-constexpr std::size_t kMostColumns = 720;
-constexpr std::size_t kMostRows = 600;
 constexpr int kFactsWidth = 224;
 
 QString mm_text(double value) {
@@ -51,7 +49,7 @@ LayersPage::LayersPage(WindowContext& context, QWidget* parent)
     : QWidget(parent),
       context_(context),
       polar_(new PolarView),
-      unrolled_(new UnrolledView),
+      map_(new LayerMap{context}),
       plot_(new RadiusPlot),
       slider_(new QSlider{Qt::Vertical}),
       point_slider_(new QSlider{Qt::Horizontal}),
@@ -91,7 +89,7 @@ QLayout* LayersPage::make_views() {
     auto* views = new QHBoxLayout;
     views->setSpacing(kGap);
     views->addLayout(column(section_, polar_), 1);
-    views->addLayout(column(role_label("head", tr("Unrolled Ψ–Y map of radii")), unrolled_), 1);
+    views->addWidget(map_, 1);
     views->addWidget(slider_);
     return views;
 }
@@ -161,7 +159,7 @@ QLabel* LayersPage::add_fact(QGridLayout& grid, const QString& name, const char*
 
 void LayersPage::set_theme(const Tokens& tokens) {
     polar_->set_theme(tokens);
-    unrolled_->set_theme(tokens);
+    map_->set_theme(tokens);
     plot_->set_theme(tokens);
     heads_->setText(
         QStringLiteral("<span style='color:%1'>━ R1</span>&nbsp; <span style='color:%2'>╍ R2</span>")
@@ -169,7 +167,7 @@ void LayersPage::set_theme(const Tokens& tokens) {
 }
 
 void LayersPage::refresh() {
-    // Others pay for what nobody looks at.
+    // What is not looked at must cost nothing.
     if (!isVisible()) return;
     if (context_.shown_job() != job_) take_job();
     if (!job_) return;
@@ -178,6 +176,7 @@ void LayersPage::refresh() {
     const bool is_new =
         is_planned_ != context_.estimate.planned(job_).has_value() || shown_whole_s_ != whole_s_;
     if (shown_ && is_new) show_times(shown_->layer);
+    map_->refresh();
 }
 
 void LayersPage::choose_number() {
@@ -193,15 +192,12 @@ void LayersPage::take_job() {
     // The job before says nothing of what is open now.
     stack_->setCurrentIndex(job_ ? 1 : 0);
     if (!job_) return;
-    const session::RadiusMap map = session::radius_map(*job_, kMostColumns, kMostRows);
+    map_->take_job(job_);
     const double r1_per_mm = job_->profile.r1.pulses_per_mm;
-    most_mm_ = map.most_mm;
+    most_mm_ = map_->most_mm();
     // Roughing stands further out.
     if (job_->view.finishing_layer() > 0)
         most_mm_ = std::max(most_mm_, mm_from_pulses(job_->view.max_radius_pulses(Axis::r1), r1_per_mm));
-    const auto heights = job_->view.layer_heights_pulses().subspan(job_->view.finishing_layer());
-    const double per_mm = job_->profile.y.pulses_per_mm;
-    unrolled_->show_map(map, mm_from_pulses(heights.front(), per_mm), mm_from_pulses(heights.back(), per_mm));
     context_.layer_cursor.begin(job_->view.layer_count(), job_->view.point_count());
     const auto layers = static_cast<int>(job_->view.layer_count());
     const QSignalBlocker quiet{number_};
@@ -248,7 +244,7 @@ void LayersPage::show_layer(std::uint32_t layer) {
     show_times(layer);
     polar_->show_rim(rim_, most_mm_);
     plot_->show_layer(session::layer_curves(*job_, layer));
-    unrolled_->mark_layer(session::place_in_map(job_->view, layer), session::half_spans(*job_, layer));
+    map_->view().mark_layer(session::place_in_map(job_->view, layer), session::half_spans(*job_, layer));
 }
 
 /// Of the whole job, where it is the core's: it has no layer's.
@@ -304,7 +300,7 @@ void LayersPage::show_point(std::uint32_t point) {
     point_slider_->setToolTip(tr("Point %1").arg(point + 1));
     polar_->mark(point);
     plot_->mark(point);
-    unrolled_->mark_point(r1.direction_deg, r2.direction_deg);
+    map_->view().mark_point(r1.direction_deg, r2.direction_deg);
 }
 
 void LayersPage::follow_machine() {

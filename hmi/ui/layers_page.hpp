@@ -20,10 +20,10 @@ class QStackedLayout;
 
 namespace psicarve::ui {
 
+class LayerMap;
 class PolarView;
 class RadiusPlot;
 class TickBox;
-class UnrolledView;
 
 /// The job layer by layer and point by point; while it is carved, where the machine is, until another place
 /// is chosen.
@@ -60,7 +60,7 @@ private:
     double most_mm_ = 1.0;
     QStackedLayout* stack_ = nullptr;
     PolarView* polar_;
-    UnrolledView* unrolled_;
+    LayerMap* map_;
     RadiusPlot* plot_;
     QSlider* slider_;
     QSlider* point_slider_;

@@ -299,7 +299,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (urls.size() == 1 && urls.front().isLocalFile()) open(urls.front().toLocalFile());
 }
 
-/// At rest with a job under way is not at rest for somebody who walks away.
+/// At rest with a job under way is not at rest for an operator who walks away.
 bool MainWindow::is_under_way() const {
     const session::MachineView& view = context_.machine.view();
     return view.is_heard() &&

@@ -24,7 +24,7 @@ void MainWindow::choose_language(std::optional<Language> choice) {
     language_timer_.start(kTry);  // not while a menu of the window is on its way out
 }
 
-/// Nobody is asked anything, holds a button, or waits for a file.
+/// No question is open, no button held, no file waited for.
 bool MainWindow::may_change_language() const {
     return context_.settings->is_read() && open_dialog() == nullptr &&
            QApplication::activePopupWidget() == nullptr && QApplication::mouseButtons() == Qt::NoButton &&

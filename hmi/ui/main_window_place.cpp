@@ -59,7 +59,7 @@ void MainWindow::keep_place() {
 
 void MainWindow::write_place() {
     if (option_keeper_) option_keeper_->write();
-    if (!context_.settings->is_read()) return;  // nobody has chosen this place
+    if (!context_.settings->is_read()) return;  // the operator has not chosen this place
     settings_.set_geometry(saveGeometry());
     const auto page = static_cast<std::size_t>(pages_->currentIndex());
     if (page < kPageNames.size()) settings_.set_page(kPageNames[page]);
@@ -72,7 +72,7 @@ void MainWindow::leave() {
     write_place();
     pages_->model().forget_work();
     place_keeper_.reset();
-    // Nobody looks any more: what is to be kept is handed on now.
+    // The window is closed: what is to be kept is handed on now.
     context_.pins.end();
     context_.keeper.poll(context_.log);
     context_.settings->poll();

@@ -46,7 +46,7 @@ void MainWindow::take_profile(const Result<Profile>& read, const QString& profil
     if (!path.isEmpty()) open(path);
 }
 
-/// Of the file that was opened last, or the nearest above it that is there: nobody waits for its disk.
+/// Of the file that was opened last, or the nearest above it that is there: without waiting for its disk.
 QString MainWindow::last_folder() {
     const QString wanted = settings_.last_folder();
     context_.presence.look_above(wanted.toStdString());  // for the next time

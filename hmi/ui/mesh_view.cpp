@@ -248,7 +248,7 @@ void MeshView::make_lines(const session::SceneCamera& camera) {
         for (const session::SceneLine& line : file_axes(camera)) picture_.lines.push_back(line);
     }
     if (!blank_) {
-        // Inside it stands in nobody's way.
+        // Inside it hides nothing.
         add(-reach, -size[2] / 2.0);
         return add(size[2] / 2.0, reach);
     }

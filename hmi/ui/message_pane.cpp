@@ -160,7 +160,7 @@ void MessagePane::show_recorder() {
     refresh();
 }
 
-/// Meanwhile somebody may have started something.
+/// Meanwhile something may have been started.
 void MessagePane::open_recorder(const std::string& path, std::uint64_t tick) {
     is_saving_ = false;
     if (!is_under_way(context_.machine.view()))

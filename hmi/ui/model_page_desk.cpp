@@ -90,7 +90,7 @@ bool ModelPage::is_stale() const {
     const session::OpenJobView& job_view = context_.open_job.view();
     if (job_view.state != OpenJobState::job && job_view.state != OpenJobState::published) return false;
     const bool is_taken_over = context_.open_job.is_taken_over();
-    // A table becomes a job without anybody's asking, too.
+    // A table becomes a job without being asked for, too.
     if (const auto& way = context_.open_job.table_way()) return is_taken_over || !way->is_as(table_way());
     return context_.open_job.mesh() && (is_taken_over || changes_ != sliced_changes_);
 }

@@ -27,7 +27,8 @@ public:
     OptionKeeper(QWidget& window, WindowSettings& settings, std::function<void()> changed);
 
     /// By settings that came later. What was chosen meanwhile stays, and so does what drives the machine
-    /// (jog, wiring test): somebody may be about to press a key. Kept values that are not taken stay kept.
+    /// (jog, wiring test): the operator may be about to press a key. Kept values that are not taken stay
+    /// kept.
     void fill_in_late();
     /// Those that were changed since.
     void write();
@@ -47,7 +48,7 @@ private:
     WindowSettings& settings_;
     std::function<void()> changed_;
     std::map<QString, QVariant> fresh_;
-    bool is_filling_ = false;  ///< what changes is nobody's choice
+    bool is_filling_ = false;  ///< what changes is not the operator's choice
 };
 
 }  // namespace psicarve::ui

@@ -18,7 +18,7 @@ namespace psicarve::ui {
 class ActionButton;
 
 /// What one of the buttons beside it asked the core for and did not get, in full, with what would help as a
-/// button. Hidden while there is none, or it holds no longer, or once somebody has read it.
+/// button. Hidden while there is none, or it holds no longer, or once it was read.
 class OrderCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::OrderCard)
 public:

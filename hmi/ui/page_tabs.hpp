@@ -25,7 +25,7 @@ class ProgramPage;
 class RealtimePage;
 struct Tokens;
 
-/// The window's pages, one a tab, and how many things on them somebody should look at.
+/// The window's pages, one a tab, and how many things on them are to be looked at.
 class PageTabs : public QTabWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::PageTabs)
 public:

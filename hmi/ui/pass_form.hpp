@@ -26,7 +26,7 @@ class PassForm {
 public:
     PassForm(QFormLayout& form, QWidget& parent);
 
-    /// The picture and what is to be said of it; the parent's until somebody else takes it.
+    /// The picture and what is to be said of it; the parent's until another takes it.
     QWidget* picture() const noexcept { return picture_; }
     void set_theme(const Tokens& tokens);
     /// Puts what was chosen into a profile that has its tool and its blank already.

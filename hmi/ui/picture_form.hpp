@@ -22,7 +22,7 @@ class PictureForm : public QWidget {
 public:
     explicit PictureForm(std::function<void()> changed, QWidget* parent = nullptr);
 
-    /// As for another picture; nobody is told.
+    /// As for another picture; the change is not told.
     void begin_anew();
     void fill(flat::FlatOptions& options) const;
 

@@ -32,7 +32,7 @@ public:
     /// The view is the piece's.
     bool is_chosen() const;
     void choose_model();
-    /// At screen rate. `is_asked_for`: by somebody else, too.
+    /// At screen rate. `is_asked_for`: by another panel, too.
     void refresh(const session::PieceChoice& choice, const std::optional<session::PieceRequest>& request,
                  bool is_asked_for);
     const session::PiecePreview& desk() const noexcept { return desk_; }

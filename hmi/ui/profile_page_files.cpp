@@ -59,7 +59,7 @@ bool ProfilePage::has_backup() const {
            session::FilePresence::State::there;
 }
 
-/// By somebody else: disks may sleep.
+/// By another thread: disks may sleep.
 void ProfilePage::look_for_files() {
     std::vector<std::string> files;
     for (const QString& path : WindowSettings{*context_.settings}.recent_profiles())
@@ -184,7 +184,7 @@ bool ProfilePage::is_saving() const {
 
 bool ProfilePage::may_lose_changes() {
     if (draft().changed_count() == 0 && !is_saving()) return true;
-    // Of a disk that does not answer nobody knows when.
+    // When a disk that does not answer will do so is not known.
     const QString question = is_saving() ? tr("The profile is still being saved. Lose what is not saved yet?")
                                          : tr("%1. Lose them?").arg(unsaved_text());
     QMessageBox box{QMessageBox::Question, tr("Profile"), question,

@@ -191,7 +191,7 @@ void ProfileRow::show_state(const profile::ProfileDraft& draft, const QString& i
     if (line_ != nullptr && line_->text() != typed) line_->setText(typed);
     if (words_ != nullptr && words_->currentText() != typed) {
         const QSignalBlocker still(words_);
-        // A word that nobody knows stands in the file: it is shown until a known one is chosen.
+        // An unknown word stands in the file: it is shown until a known one is chosen.
         if (words_->findText(typed) < 0) words_->addItem(typed);
         words_->setCurrentText(typed);
     }

@@ -40,7 +40,7 @@ QString ProgramPage::places_text(const std::array<double, kAxisCount>& places) c
     return tr("R1 %1 · R2 %2 · Y %3 mm · Ψ %4°").arg(of(Axis::r1), of(Axis::r2), of(Axis::y), of(Axis::psi));
 }
 
-/// Of the program that runs, whoever started it; empty: none does.
+/// Of the program that runs, another process' one, too; empty: none does.
 QString ProgramPage::modes_text() const {
     const ProgramReport& report = context_.program_report;
     const session::MachineView& machine = context_.machine.view();

@@ -224,7 +224,7 @@ void ProgramPathView::draw_path() {
                                 program_ ? tr("Nothing moves in this plane.") : QString{});
     }
     draw_scales(painter);
-    // Neither smooth lines nor dashes: of so many nobody sees one.
+    // Neither smooth lines nor dashes: of so many none is seen by itself.
     const bool is_crowded = program_->path.size() >= kMostSmoothPieces;
     painter.setRenderHint(QPainter::Antialiasing, !is_crowded);
     const QColor colour = plane_ == Plane::r1   ? tokens_->r1

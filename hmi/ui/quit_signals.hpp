@@ -11,7 +11,7 @@
 namespace psicarve::ui {
 
 /// SIGTERM, SIGINT and SIGHUP as a call in the event loop. One object at a time. A second signal of a kind
-/// ends the program as if nobody listened; one that is ignored (nohup) stays so.
+/// ends the program as without this; one that is ignored (nohup) stays so.
 class QuitSignals {
 public:
     explicit QuitSignals(std::function<void()> quit);

@@ -36,7 +36,7 @@ QString RefusalBar::why_of(const session::RefusedFile& refused) {
     return breakable(why.replace(name, short_file_name(refused.path)));
 }
 
-/// Somebody who expects another file on the machine is to know what is there.
+/// An operator who expects another file on the machine is to know what is there.
 QString RefusalBar::what_stays() const {
     if (const auto job = context_.open_job.core_job(); job && !context_.replay.is_open())
         return breakable(tr("The machine still has its job of before: Start carves %1.")

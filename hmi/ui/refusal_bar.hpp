@@ -11,7 +11,7 @@ class QLabel;
 namespace psicarve::ui {
 
 /// Which file was not opened, why, and what Start carves instead. Above all pages, until the next file is
-/// asked for or somebody has read it.
+/// asked for or it was read.
 class RefusalBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::RefusalBar)
 public:

@@ -38,7 +38,7 @@ public:
     /// None: the desktop's.
     std::optional<Language> language() const;
     void set_language(std::optional<Language> language);
-    /// Newest first, wherever they are by now: nobody looks for them here.
+    /// Newest first, wherever they are by now: their disks are not asked.
     QStringList recent_files() const;
     void add_recent_file(const QString& path);
     QStringList recent_profiles() const;

@@ -36,7 +36,7 @@ struct SettingsFile {
 /// The user's own: psicarve/psicarve-hmi.ini.
 SettingsFile settings_file();
 
-/// The window's settings in memory. Whoever asks never waits for their file: it is read, and written, by a
+/// The window's settings in memory. The caller never waits for their file: it is read, and written, by a
 /// thread. One thread, the owner's.
 class SettingsStore {
 public:
@@ -54,8 +54,8 @@ public:
     void set(const QString& key, const QVariant& value);
     /// Holds at once, and on whatever is read later.
     void change(SettingsChange change);
-    /// At screen rate: hands changes to whoever writes them, and calls `read` once the file was read later
-    /// than somebody waited.
+    /// At screen rate: hands changes to the writer, and calls `read` once the file was read later
+    /// than the window waited for it.
     void poll();
     void set_on_read(std::function<void()> read) { on_read_ = std::move(read); }
     /// Called by poll(), of the first changes that could not be written.

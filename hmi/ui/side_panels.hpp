@@ -72,7 +72,7 @@ public:
     bool arrange(Room room);
     static QString name(std::size_t panel);
     static QString short_name(std::size_t panel);
-    /// In a frame of its own above the window, or back in its place. `put_back`: somebody closed the frame;
+    /// In a frame of its own above the window, or back in its place. `put_back`: the frame was closed;
     /// `left`: another window became the active one.
     void float_panel(std::size_t panel, QWidget* window, std::function<void()> put_back,
                      std::function<void()> left);

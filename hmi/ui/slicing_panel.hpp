@@ -34,7 +34,7 @@ public:
     /// `is_stale`: the job was sliced otherwise than the fields say now.
     void refresh(bool is_stale);
     void set_theme(const Tokens& tokens);
-    /// What was refused stands above the rest here, until somebody puts it elsewhere.
+    /// What was refused stands above the rest here, until it is put elsewhere.
     RefusalCard& refusal() noexcept { return *refusal_; }
     void take_refusal_back();
 

@@ -17,7 +17,7 @@ namespace psicarve::ui {
 /// With what the views of the space are drawn.
 enum class Drawing : std::uint8_t { painter, opengl };
 
-/// The drawn part of a view: draws a picture that belongs to somebody else whenever it is told that something
+/// The drawn part of a view: draws a picture that belongs to its owner whenever it is told that something
 /// has changed, and only then.
 class SpaceCanvas {
 public:

@@ -26,7 +26,7 @@ public:
     /// longer.
     TurnForm(std::function<void()> turned, std::function<void()> resized, QWidget* parent = nullptr);
 
-    /// As for another file; nobody is told.
+    /// As for another file; the change is not told.
     void begin_anew();
     /// Shows what such a model takes; a table takes nothing of it.
     void show_what_applies(flat::ModelKind kind, bool is_engraved, bool is_table);

@@ -21,7 +21,7 @@ class ActionButton;
 
 /// Which piece is unfinished, also one that only a disk knows after the computer was switched off, where it
 /// goes on, on which way the heads come there and what has to be done first. Above all pages whenever there
-/// is one and nothing louder, until it goes on or somebody has dismissed it. Begins it anew, once asked, and,
+/// is one and nothing louder, until it goes on or is dismissed. Begins it anew, once asked, and,
 /// where Start goes on within a layer, goes on from that layer's begin.
 class UnfinishedBar : public NoticeBar {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::UnfinishedBar)

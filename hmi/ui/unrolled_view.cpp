@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "hmi/session/display_text.hpp"
@@ -23,6 +24,12 @@ constexpr double kLeastNamed = 24.0;  // px: narrower a half has no room for its
 constexpr double kRightRoom = 14.0;
 constexpr double kBottomRoom = 62.0;
 constexpr double kBarHeight = 12.0;
+constexpr int kNoteRoom = 16;           // px
+constexpr double kSquare = 10.0;        // px
+constexpr double kBetweenKinds = 12.0;  // px
+constexpr double kKeyBelow = 34.0;      // px, the map
+constexpr double kFirstKeyBelow = 26.0;
+constexpr double kKeyLine = 16.0;
 constexpr double kLeastBetweenMarks = 36.0;  // px
 constexpr double kMarkLength = 4.0;
 constexpr int kQuarter_deg = 90;
@@ -36,7 +43,7 @@ QString number(double value, int decimals) {
 
 UnrolledView::UnrolledView(QWidget* parent) : QWidget(parent) {
     setMinimumSize(220, 180);
-    setAccessibleName(tr("Radii of all layers, unrolled"));
+    setAccessibleName(tr("All layers, unrolled"));
 }
 
 void UnrolledView::set_theme(const Tokens& tokens) {
@@ -44,16 +51,22 @@ void UnrolledView::set_theme(const Tokens& tokens) {
     update();
 }
 
-void UnrolledView::show_map(const session::RadiusMap& map, double low_mm, double high_mm) {
-    const auto picture = session::radius_picture(map, true);
-    image_ = QImage{reinterpret_cast<const uchar*>(picture.data()), static_cast<int>(map.columns),
-                    static_cast<int>(map.rows), QImage::Format_RGB32}
-                 .copy();
-    scaled_ = {};
+void UnrolledView::set_heights(double low_mm, double high_mm) {
     low_mm_ = low_mm;
     high_mm_ = high_mm;
-    least_mm_ = map.least_mm;
-    most_mm_ = map.most_mm;
+    update();
+}
+
+void UnrolledView::show_map(const std::vector<std::uint32_t>& picture, std::size_t columns, MapKey key) {
+    image_ = {};
+    if (!picture.empty()) {
+        const std::size_t rows = picture.size() / columns;
+        image_ = QImage{reinterpret_cast<const uchar*>(picture.data()), static_cast<int>(columns),
+                        static_cast<int>(rows), QImage::Format_RGB32}
+                     .copy();
+    }
+    scaled_ = {};
+    key_ = std::move(key);
     update();
 }
 
@@ -104,8 +117,12 @@ void UnrolledView::paintEvent(QPaintEvent* /*event*/) {
     if (tokens_ == nullptr) return;
     QPainter painter{this};
     painter.fillRect(rect(), tokens_->view);
-    if (image_.isNull()) return;
     const QRectF area = map_area();
+    if (image_.isNull()) {
+        painter.setPen(tokens_->text2);
+        return painter.drawText(rect().adjusted(kNoteRoom, 0, -kNoteRoom, 0),
+                                Qt::AlignCenter | Qt::TextWordWrap, key_.low);
+    }
     draw_map(painter, area);
     painter.setFont(small_font());
     draw_axes(painter, area);
@@ -179,8 +196,36 @@ void UnrolledView::draw_axes(QPainter& painter, const QRectF& area) const {
     }
 }
 
+/// In two lines where one is too narrow for them.
+void UnrolledView::draw_kinds(QPainter& painter, const QRectF& area) const {
+    const QFontMetricsF metrics{painter.font()};
+    const double right = this->width() - kBesideMark;
+    std::vector<double> widths;
+    for (const auto& [colour, name] : key_.kinds)
+        widths.push_back(kSquare + kBesideMark + metrics.horizontalAdvance(name) + kBetweenKinds);
+    const double whole = std::accumulate(widths.begin(), widths.end(), -kBetweenKinds);
+    const bool is_wide = whole <= right - kBesideMark;
+    double x =
+        is_wide ? std::clamp(area.center().x() - whole / 2.0, kBesideMark, right - whole) : kBesideMark;
+    double y = area.bottom() + (is_wide ? kKeyBelow : kFirstKeyBelow);
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const auto& [colour, name] = key_.kinds[i];
+        if (i > 0 && x + widths[i] - kBetweenKinds > right) {
+            x = kBesideMark;
+            y += kKeyLine;
+        }
+        const QRectF square{x, y + 1.0, kSquare, kSquare};
+        painter.fillRect(square, colour);
+        painter.drawRect(square);
+        painter.drawText(QRectF{x + kSquare + kBesideMark, y - 3.0, widths[i], 18},
+                         Qt::AlignLeft | Qt::AlignVCenter, name);
+        x += widths[i];
+    }
+}
+
 void UnrolledView::draw_bar(QPainter& painter, const QRectF& area) const {
-    const QRectF bar{area.left() + 40, area.bottom() + 34, area.width() - 80, kBarHeight};
+    if (!key_.kinds.empty()) return draw_kinds(painter, area);
+    const QRectF bar{area.left() + 40, area.bottom() + kKeyBelow, area.width() - 80, kBarHeight};
     QLinearGradient colours{bar.topLeft(), bar.topRight()};
     constexpr int kStops = 16;
     for (int i = 0; i <= kStops; ++i) {
@@ -189,9 +234,9 @@ void UnrolledView::draw_bar(QPainter& painter, const QRectF& area) const {
     }
     painter.fillRect(bar, colours);
     painter.drawText(QRectF{bar.left() - 66, bar.top() - 3, 60, 18}, Qt::AlignRight | Qt::AlignVCenter,
-                     tr("%1 mm").arg(number(least_mm_, 0)));
+                     key_.low);
     painter.drawText(QRectF{bar.right() + 6, bar.top() - 3, 60, 18}, Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("%1 mm").arg(number(most_mm_, 0)));
+                     key_.high);
 }
 
 }  // namespace psicarve::ui

@@ -93,7 +93,7 @@ struct WindowContext {
     session::LatencyTrial latency{log};
     session::LevelHistory levels;
     session::LayerCursor layer_cursor;
-    std::uint64_t read_messages = 0;                        ///< that somebody had the page open for
+    std::uint64_t read_messages = 0;                        ///< that came while or before the page was open
     session::RunKind wanted_run = session::RunKind::carve;  ///< of every button that starts the job
     /// The boxes that say with which layer to begin, and with which of its points.
     struct LayerChoice {
@@ -141,7 +141,7 @@ struct WindowContext {
                (state == MachineState::carving || state == MachineState::held);
     }
 
-    /// The file that was to be opened last and could not be; null: none, or somebody has read that.
+    /// The file that was to be opened last and could not be; null: none, or that was read.
     const session::RefusedFile* refused_file() const noexcept {
         const auto& refused = open_job.refused_file() ? open_job.refused_file() : replay.refused_file();
         return refused ? &*refused : nullptr;

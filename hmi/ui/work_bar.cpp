@@ -91,7 +91,7 @@ void WorkBar::fill_in_taken() {
     put_into_fields(*form_.fields, work.fields);
 }
 
-/// By somebody else than this window.
+/// By another process than this window.
 bool WorkBar::is_job_kept() {
     const auto job = context_.open_job.job();
     if (context_.open_job.view().state == OpenJobState::published) published_job_ = job;

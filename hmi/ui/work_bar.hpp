@@ -65,7 +65,7 @@ private:
     std::optional<Seen> seen_;
     QString told_;  ///< the offer that the messages have
     std::optional<Taking> taking_;
-    std::weak_ptr<const cam::PreparedJob> published_job_;  ///< that was last, whoever has a core now
+    std::weak_ptr<const cam::PreparedJob> published_job_;  ///< the last one, whichever core runs now
     QLabel* offer_;
     QLabel* note_;
     QPushButton* take_;

@@ -17,7 +17,8 @@ template <typename Judge>
 auto judged_trace(Judge& judge, TraceReader& trace, const std::function<bool()>& goes_on)
     -> Result<decltype(judge.finish())> {
     constexpr std::size_t kEventsAtOnce = 1024;
-    judge.begin(trace.start());
+    if (const auto begun = judge.begin(trace.start()); !begun)
+        return bad_input(trace.name() + ": " + begun.error().message);
     std::vector<TraceEvent> events(kEventsAtOnce);
     for (;;) {
         if (goes_on && !goes_on()) return Error{ErrorCode::cancelled, "verification was cancelled"};

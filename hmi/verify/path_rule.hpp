@@ -52,10 +52,12 @@ public:
     std::uint64_t points_visited() const noexcept { return follower_.progress().points(); }
     LineExtent line_extent() const noexcept { return follower_.findings().line_extent(); }
     double carve_seconds() const noexcept {
-        return is_complete() ? follower_.times().carve_seconds() : follower_.times().seconds_so_far();
+        return has_arrived() ? follower_.times().carve_seconds() : follower_.times().seconds_so_far();
     }
     /// The last attempt came to the last point.
     bool is_complete() const noexcept { return end_.is_complete; }
+    /// The same, and reached one of the points behind its first.
+    bool has_arrived() const noexcept { return is_complete() && follower_.times().carve_seconds() > 0.0; }
     /// For a job of several passes whose carving is complete.
     std::vector<PassTime> pass_times() const;
 

@@ -21,12 +21,13 @@ PinRules::PinRules(const Profile& profile, OffenceLog& log, const CarvePlace& pl
     log.set_judged(4);
 }
 
-void PinRules::begin(const TraceStart& start) {
+Result<void> PinRules::begin(const TraceStart& start) {
     levels_ = start.initial_levels;
     spindle_bit_ = start.present & bit_of(Signal::spindle);
     positions_ = start.position_pulses;
     permission_.begin(start.initial_levels, start.present, start.period_ns);
     motors_.begin(start.period_ns);
+    return backlash_.begin(start);
 }
 
 void PinRules::feed(std::span<const TraceEvent> events) {

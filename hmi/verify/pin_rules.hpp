@@ -33,7 +33,8 @@ public:
     /// `place` is where offences are said to be. All but the profile outlive this.
     PinRules(const Profile& profile, OffenceLog& log, const CarvePlace& place, PositionJudge& judge);
 
-    void begin(const TraceStart& start);
+    /// Refused where the trace cannot be of this profile's machine: nothing is to be judged then.
+    Result<void> begin(const TraceStart& start);
     void feed(std::span<const TraceEvent> events);
     /// The last instant's positions.
     void settle();

@@ -81,10 +81,11 @@ void Verifier::set_follower(Follower follower) {
     state_->follower = std::move(follower);
 }
 
-void Verifier::begin(const TraceStart& start) {
-    state_->pins.begin(start);
+Result<void> Verifier::begin(const TraceStart& start) {
+    if (const auto begun = state_->pins.begin(start); !begun) return begun;
     state_->last = start.position_pulses;
     state_->to_path.begin(start.position_pulses, state_->pins.spindle_on());
+    return {};
 }
 
 void Verifier::feed(std::span<const TraceEvent> events) {
@@ -155,7 +156,7 @@ VerifyReport Verifier::finish() {
     report.max_line_deviation_mm = line.mm;
     report.max_line_deviation_pulses = line.pulses;
     report.carve_seconds = s.path.carve_seconds();
-    report.is_complete = s.path.is_complete();
+    report.is_complete = s.path.has_arrived();
     report.passes = s.path.pass_times();
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();

@@ -33,7 +33,7 @@ public:
     Verifier& operator=(Verifier&&) noexcept;
     ~Verifier();
 
-    void begin(const TraceStart& start);
+    Result<void> begin(const TraceStart& start);
     void feed(std::span<const TraceEvent> events);
     VerifyReport finish();
 

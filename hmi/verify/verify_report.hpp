@@ -69,7 +69,7 @@ struct VerifyReport {
     std::optional<std::uint32_t> first_point;  ///< of the first layer, where it was to begin within it
     bool is_cut = false;                       ///< it may end where it does, and is judged up to there
     bool is_dry = false;                       ///< dry runs alone: rule 1 is not judged
-    bool is_complete = false;                  ///< the last attempt came to the last point
+    bool is_complete = false;                  ///< the last attempt came to the last point, and reached some
     /// Largest difference between carved and wanted radius at those points after all motion of the trace; of
     /// a carving that was cut short, at those that were carved.
     std::int64_t max_deviation_pulses = 0;
@@ -83,7 +83,8 @@ struct VerifyReport {
     std::uint64_t events = 0;
     std::vector<PassTime> passes;  ///< none: the job has but one, or was not carved to its end
 
-    /// Only a part of the surface was to be carved, nobody knows which: what is left of it is no deviation.
+    /// Only a part of the surface was to be carved, it is not known which: what is left of it is no
+    /// deviation.
     bool is_of_carved_alone() const noexcept { return is_cut || is_dry; }
     const Offence* first_offence() const noexcept { return first_offence_of(rules); }
 };

@@ -70,7 +70,7 @@ std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle:
         written_job_ = job->generation;
         write_record(header.checkpoint, *written_);
     }
-    // Whoever dies between the two leaves a point that is not of the record's layer, which counts for
+    // A process that dies between the two leaves a point that is not of the record's layer, which counts for
     // nothing.
     note_point(header, sample, *job, next_layer);
     return is_written ? std::nullopt : std::optional{ToKeep{*written_, Keeping::carved}};
@@ -78,7 +78,7 @@ std::optional<ToKeep> CheckpointKeeper::note(SegmentHeader& header, const cycle:
 
 void CheckpointKeeper::note_point(SegmentHeader& header, const cycle::Sample& sample, const LoadedJob& job,
                                   std::uint32_t next_layer) noexcept {
-    // From how many of a run's points on steps were lost nobody knows: the layer is proposed.
+    // From which of a run's points on steps were lost is not known: the layer is proposed.
     has_lost_steps_ = has_lost_steps_ || sample.alarm_cause == AlarmCause::steps_lost;
     const std::uint32_t count = job.view.point_count();
     const std::uint64_t finished = std::uint64_t{next_layer} * count;
@@ -181,7 +181,7 @@ void CheckpointKeeper::begin_run(const SegmentHeader& header, const RunBegin& be
     const auto before = known_of(header, job);
     const bool is_whole = first_layer == 0 && begin.step == 0;
     reached_points_ = before && !is_whole ? points_known(header, *before, job.view) : 0;
-    // Whoever does a layer again distrusts it: what was reached of it before, and beyond, is past.
+    // An operator who carves a layer again distrusts it: what was reached of it before, and beyond, is past.
     if (begin.step == 0) reached_points_ = std::min(reached_points_, first_layer * job.view.point_count());
     // The operator who begins with a later layer has seen that the earlier ones are carved; within a layer
     // that is not enough.

@@ -39,7 +39,7 @@ void PieceMemory::note(SegmentHeader& header, const cycle::Sample& sample,
     // A program carves in the same states, and nothing of the job.
     if (job == nullptr || sample.program.is_running != 0) return;
     if (file_.has_answered_late()) {
-        // Whoever published the job has his answer already.
+        // The job's publisher has its answer already.
         const std::string remark = in_words(take_left(header, job));
         if (!remark.empty()) rtcore::try_to_say(remark);
     }

@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kExecutingStates =
 
 /// One tick of the machine: read inputs -> limits, emergency stop, index -> requests -> interpolate -> write
 /// outputs. Holds the one MachineState, and decides: what each part of it is for stands in that part's
-/// header, and no part knows of states. All methods belong to the one thread that ticks; everybody else talks
+/// header, and no part knows of states. All methods belong to the one thread that ticks; all others talk
 /// through CycleIo. Port and io outlive it. RT: yes, every method, after construction.
 ///
 /// Twenty-one members: its parts, each of which other parts or the states ask, and what is its own, the
@@ -54,7 +54,7 @@ public:
     /// Schedule two-timer: all that falls into one period of inputs and pulses.
     void tick() noexcept;
 
-    // Schedule two-timer, each half by its own thread; whoever calls lets in one at a time.
+    // Schedule two-timer, each half by its own thread; the callers let in one at a time.
     /// The first half: inputs, limits, requests, and the pulses that wait go out.
     void take_inputs_and_step() noexcept;
     /// Whether pulses began that end step_high_ticks later.

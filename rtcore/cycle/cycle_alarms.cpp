@@ -46,7 +46,7 @@ void Cycle::check_gap(std::int64_t gap_ticks) noexcept {
     if (axis != kNoAxis) raise_alarm(AlarmCause::tick_gap, axis);
 }
 
-// Somebody else had the port meanwhile, the guard or a computer that slept: nothing is slowed down any more,
+// The port was not ours meanwhile (the guard had it, or the computer slept): nothing is slowed down any more,
 // and what stands on the pins is not what was written.
 void Cycle::come_back(std::uint32_t lost_axes) noexcept {
     port_->forget_written();

@@ -37,7 +37,7 @@ enum class RequestKind : std::uint8_t {
     move,        ///< order; all its axes to their targets together
     end_jog,     ///< value: MoveEnd. A replay lets go of a jog where the recorded run did
     spindle,     ///< value: 1 on, 0 off
-    record,      ///< value: RecordingForm; lease_token: whose, 0 at the end: whoever's
+    record,      ///< value: RecordingForm; lease_token: its owner, 0 at the end: any
     test_pin,    ///< value: a PinOrder, packed; lease
     drives_off,
     run_program,     ///< value: its number; axis: not 0: a halt after each of its blocks
@@ -48,7 +48,7 @@ enum class RequestKind : std::uint8_t {
 struct Request {
     std::uint64_t sequence;  ///< echoed in the answer
     RequestKind kind;
-    std::uint8_t axis;        ///< Axis, for back_off; fail: axes that stand nobody knows where, bit by axis
+    std::uint8_t axis;        ///< Axis, for back_off; fail: axes whose place is not known, bit by axis
     std::uint8_t has_sender;  ///< 0: the core's own account; no stop comes between
     std::uint8_t runs_back;   ///< job_loaded: 1: odd layers are carved from their last point to their first
     std::uint8_t reserved[4];
@@ -56,7 +56,7 @@ struct Request {
     std::uint64_t points_total;
     std::uint64_t points_per_layer;  ///< job_loaded
     MotionOrder order;               ///< jog, jog_on, move
-    std::uint32_t lease_token;       ///< jog, jog_on: see Lease; record; 0: nobody holds it
+    std::uint32_t lease_token;       ///< jog, jog_on: see Lease; record; 0: not held
     std::uint32_t lease_ticks;
     std::uint32_t stops_seen;  ///< of UrgentWords::stop_word, by the sender when it asked
     std::uint32_t emergency_stops_seen;
@@ -81,7 +81,7 @@ enum class Refusal : std::uint8_t {
     no_such_layer,
     no_such_point,     ///< beyond the layer's, or its last
     not_an_arc,        ///< begin and end are not as far from the centre, or it is too small
-    recording,         ///< another process has the pins recorded, or nobody can
+    recording,         ///< another process has the pins recorded, or none can
     heads_not_homed,   ///< psi and y are homed after the heads, or with them
     port_failed,       ///< the port still answers with an error
     port_reset_first,  ///< the port failed: the alarm must be reset before anything moves
@@ -144,18 +144,18 @@ struct UrgentWords {
     std::atomic<std::uint32_t> stop_requests{0};  ///< of the core's own account
     std::atomic<std::uint32_t> estop_requests{0};
     /// The segment's words: in the low half as they were looked at last, less what they were when the core
-    /// came to them; in the high half whoever writes them keeps which segment it is (urgent_ear.hpp).
+    /// came to them; in the high half their writer keeps which segment it is (urgent_ear.hpp).
     std::atomic<std::uint64_t> stop_word{0};
     std::atomic<std::uint64_t> estop_word{0};
     std::atomic<std::uint64_t> jog_lease{0};  ///< as in the segment
     std::atomic<std::uint64_t> failures{0};   ///< a set of failure_bits(), which the tick empties
-    /// Of whoever hands requests on: the tick sees whether it still comes round. 0: nobody says so.
+    /// Of the thread that hands requests on: the tick sees whether it still comes round. 0: not told.
     std::atomic<std::uint64_t> rounds{0};
 };
 
 inline constexpr unsigned kLostAxesShift = 32;
 static_assert(kAlarmCauseCount <= kLostAxesShift);
-/// A cause that was found outside the tick. `lost_axes`: those that stand nobody knows where, bit by axis.
+/// A cause that was found outside the tick. `lost_axes`: those whose place is not known, bit by axis.
 constexpr std::uint64_t failure_bits(AlarmCause cause, std::uint8_t lost_axes = 0) noexcept {
     return std::uint64_t{1} << static_cast<unsigned>(cause) | std::uint64_t{lost_axes} << kLostAxesShift;
 }
@@ -172,7 +172,7 @@ struct CycleIo {
     BlockRing blocks;
     SampleRecord<Sample> sample;
     trace::TraceRing* trace = nullptr;
-    bool traces_always = true;  ///< false: only while somebody has the pins recorded
+    bool traces_always = true;  ///< false: only while a process has the pins recorded
 };
 
 }  // namespace psicarve::cycle

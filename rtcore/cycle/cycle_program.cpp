@@ -69,7 +69,7 @@ void Cycle::go_on_when_fed() noexcept {
     program_.go_on();
 }
 
-// Whoever asks a starving program to hold wants it to stay so when records come.
+// A hold that is asked for while a program starves lasts when records come.
 bool Cycle::holds_starved_program() noexcept {
     if (state_ != MachineState::held || !program_.is_starved()) return false;
     program_.wait_for(ProgramHold::none);

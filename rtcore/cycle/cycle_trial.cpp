@@ -4,7 +4,7 @@
 
 namespace psicarve::cycle {
 
-// Whatever the axes are turned by meanwhile nobody counts: their positions are lost.
+// Steps that turn the axes meanwhile are not counted: their positions are lost.
 Refusal Cycle::try_pin(const Request& request) noexcept {
     const PinOrder order = pin_order(request.value);
     const bool is_testing = state_ == MachineState::testing;

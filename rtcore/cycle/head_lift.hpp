@@ -27,7 +27,7 @@ public:
     /// From the path, where everything rests, or on the way back to it.
     void lift() noexcept;
     void lower() noexcept;
-    /// Comes to rest wherever the heads are; then they belong to nobody.
+    /// Comes to rest wherever the heads are; then they are not its own any more.
     void halt() noexcept { turn_to(Aim::halt); }
     void forget() noexcept {
         aim_ = Aim::none;

@@ -8,10 +8,10 @@
 
 namespace psicarve::cycle {
 
-/// Whether whoever began a jog still wants it. RT: yes.
+/// Whether the client that began a jog still wants it. RT: yes.
 class Lease {
 public:
-    /// `word` as it stands now. `ticks` 0: somebody else watches the time (on the virtual clock).
+    /// `word` as it stands now. `ticks` 0: the caller watches the time (on the virtual clock).
     void begin(std::uint32_t token, std::int64_t ticks, std::uint64_t word, std::uint64_t now_tick) noexcept {
         token_ = token;
         ticks_ = static_cast<std::uint64_t>(ticks);

@@ -54,7 +54,8 @@ public:
     /// A recording of the pins begins or ends: see PinTracer.
     bool can_record() const noexcept { return tracer_.can_record(); }
     void begin_recording(RecordingForm form, std::uint32_t token) noexcept {
-        tracer_.begin_recording(form, token, levels(), clock_->tick(), pulses_->positions());
+        tracer_.begin_recording(form, token, levels(), clock_->tick(),
+                                {pulses_->positions(), pulses_->crossed_pulses()});
     }
     bool end_recording(std::uint32_t token) noexcept {
         return tracer_.end_recording(token, levels(), clock_->tick(), pulses_->positions());

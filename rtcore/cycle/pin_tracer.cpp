@@ -29,11 +29,11 @@ void PinTracer::trace_job(SignalWord levels, std::uint64_t tick, const Positions
 }
 
 void PinTracer::begin_recording(RecordingForm form, std::uint32_t token, SignalWord levels,
-                                std::uint64_t tick, const Positions& positions_pulses) noexcept {
+                                std::uint64_t tick, const Stand& stand) noexcept {
     recording_token_ = token;
     traced_ = levels;
     trace_all(form == RecordingForm::vcd ? Kind::begin_vcd : Kind::begin_binary, token, levels, tick,
-              positions_pulses);
+              stand.positions_pulses, stand.crossed_pulses);
 }
 
 bool PinTracer::end_recording(std::uint32_t token, SignalWord levels, std::uint64_t tick,
@@ -47,13 +47,14 @@ bool PinTracer::end_recording(std::uint32_t token, SignalWord levels, std::uint6
 
 /// Everything that is known about the pins at this tick.
 void PinTracer::trace_all(Kind kind, std::uint32_t token, SignalWord levels, std::uint64_t tick,
-                          const Positions& positions_pulses) noexcept {
+                          const Positions& positions_pulses, const Positions& crossed_pulses) noexcept {
     trace::TraceEntry entry{};
     entry.tick = tick;
     entry.levels = levels;
     entry.kind = kind;
     entry.token = token;
     entry.position_pulses = positions_pulses;
+    entry.crossed_pulses = crossed_pulses;
     if (!io_->trace->push(entry)) ++lost_;
 }
 

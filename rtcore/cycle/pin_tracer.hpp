@@ -39,12 +39,17 @@ public:
     void trace_job(SignalWord levels, std::uint64_t tick, const Positions& positions_pulses,
                    std::uint64_t generation) noexcept;
 
-    /// Whether a recording could begin now: somebody takes it, and no other goes on.
+    /// Whether a recording could begin now: there is a ring for it, and no other goes on.
     bool can_record() const noexcept { return io_->trace != nullptr && recording_token_ == 0; }
+    /// Where the tips stand, and how much of its screw's gap each motor has crossed downwards.
+    struct Stand {
+        Positions positions_pulses{};
+        Positions crossed_pulses{};
+    };
     /// Requires can_record(), and a form that is not none.
     void begin_recording(RecordingForm form, std::uint32_t token, SignalWord levels, std::uint64_t tick,
-                         const Positions& positions_pulses) noexcept;
-    /// `token` 0: whoever's it is. False: it is another's. Done as well when there is none.
+                         const Stand& stand) noexcept;
+    /// `token` 0: any owner's. False: it is another's. Done as well when there is none.
     bool end_recording(std::uint32_t token, SignalWord levels, std::uint64_t tick,
                        const Positions& positions_pulses) noexcept;
 
@@ -54,7 +59,7 @@ private:
     using Kind = trace::TraceEntry::Kind;
 
     void trace_all(Kind kind, std::uint32_t token, SignalWord levels, std::uint64_t tick,
-                   const Positions& positions_pulses) noexcept;
+                   const Positions& positions_pulses, const Positions& crossed_pulses = {}) noexcept;
 
     CycleIo* io_;
     SignalWord traced_ = 0;

@@ -136,6 +136,10 @@ public:
     void set_position(std::size_t axis, std::int64_t position_pulses) noexcept {
         tips_.set_position(axis, position_pulses);
     }
+    /// Of each screw's gap, downwards.
+    const std::array<std::int64_t, kAxisCount>& crossed_pulses() const noexcept {
+        return tips_.crossed_pulses();
+    }
     bool has_backlash() const noexcept { return tips_.has_backlash(); }
     /// Pulses upwards (or down) that go by before the tip follows.
     std::int64_t take_up_pulses(std::size_t axis, bool up) const noexcept {

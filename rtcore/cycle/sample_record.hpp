@@ -23,7 +23,7 @@ public:
         std::memcpy(words.data(), &value, sizeof(T));
         const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
         sequence_.store(sequence + 1, std::memory_order_relaxed);
-        // Release on each word: whoever sees one of them sees the odd sequence too. Free on x86.
+        // Release on each word: a reader that sees one of them sees the odd sequence, too. Free on x86.
         for (std::size_t i = 0; i < kWords; ++i) words_[i].store(words[i], std::memory_order_release);
         sequence_.store(sequence + 2, std::memory_order_release);
     }

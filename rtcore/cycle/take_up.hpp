@@ -36,7 +36,7 @@ public:
     void want_directions(std::uint64_t tick) noexcept { pulses_->want_directions(way_pulses_, tick); }
 
     /// Pulses, with their sign, that a way of `delta_pulses` becomes longer by when the gap is crossed within
-    /// it. Before homing nobody knows where in its gap an axis stands, and a sensor may trip on the way.
+    /// it. Before homing it is not known where in its gap an axis stands, and a sensor may trip on the way.
     std::int64_t extra_pulses(std::size_t axis, std::int64_t delta_pulses) const noexcept {
         if (delta_pulses == 0) return 0;
         const bool up = delta_pulses > 0;

@@ -38,6 +38,9 @@ public:
     void rest_against(std::size_t axis, bool up) noexcept { slack_[axis] = up ? 0 : backlash_[axis]; }
 
     const std::array<std::int64_t, kAxisCount>& positions() const noexcept { return position_; }
+    /// Of each gap, downwards: 0 with the tip against the flank that pushes it up, all of it against the
+    /// other.
+    const std::array<std::int64_t, kAxisCount>& crossed_pulses() const noexcept { return slack_; }
     /// Some screw has a gap.
     bool has_backlash() const noexcept { return has_backlash_; }
     /// Pulses upwards (or down) that go by before the tip follows.

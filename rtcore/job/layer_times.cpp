@@ -33,38 +33,47 @@ std::string layer_times_csv(const plan::JobEstimate& estimate, const JobView& jo
 namespace {
 
 /// Writes to a file that the process that started us has open, each time a job comes.
-Result<void> write_inherited(const std::string& path, const std::string& text) {
+Result<void> write_inherited(const char* option, const std::string& path, std::span<const std::byte> bytes) {
     int descriptor = -1;
     const char* const end = path.data() + path.size();
     const auto [stopped, error] = std::from_chars(path.data() + kInherited.size(), end, descriptor);
     const bool is_number = error == std::errc{} && stopped == end && descriptor >= 0;
     if (!is_number) {
         return Error{ErrorCode::bad_usage,
-                     "--layer-times " + path + ": write fd:N, N being an open descriptor's number"};
+                     std::string{option} + " " + path + ": write fd:N, N being an open descriptor's number"};
     }
     const bool is_written =
         ::ftruncate(descriptor, 0) == 0 &&
-        ::pwrite(descriptor, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+        ::pwrite(descriptor, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size());
     if (is_written) return {};
-    return bad_input("--layer-times " + path +
+    return bad_input(std::string{option} + " " + path +
                      ": cannot be written: " + std::generic_category().message(errno));
+}
+
+Result<void> write_one(const char* option, const std::string& path, std::span<const std::byte> bytes) {
+    if (path.starts_with(kInherited)) return write_inherited(option, path, bytes);
+    const auto written = write_file_atomically(path, bytes);
+    if (written) return {};
+    return Error{written.error().code, std::string{option} + " " + written.error().message};
 }
 
 }  // namespace
 
-Result<void> write_layer_times(const std::string& path, const plan::JobEstimate& estimate,
-                               const JobView& job) {
-    const std::string text = layer_times_csv(estimate, job);
-    if (path.starts_with(kInherited)) return write_inherited(path, text);
-    const auto written = write_file_atomically(path, std::as_bytes(std::span{text}));
-    if (written) return {};
-    return Error{written.error().code, "--layer-times " + written.error().message};
+Result<void> write_planned(const PlannedFiles& files, const plan::JobEstimate& estimate, const JobView& job) {
+    Result<void> layers;
+    if (!files.layers.empty()) {
+        const std::string text = layer_times_csv(estimate, job);
+        layers = write_one("--layer-times", files.layers, std::as_bytes(std::span{text}));
+    }
+    if (files.points.empty()) return layers;
+    const auto points = write_one("--point-times", files.points, point_plan_bytes(estimate.point_plan()));
+    return layers ? points : layers;
 }
 
 bool LayerTimesFile::tell(const std::shared_ptr<const plan::JobEstimate>& estimate,
                           const std::shared_ptr<const LoadedJob>& job) {
     constexpr std::chrono::seconds kPatience{2};
-    if (path_.empty() || estimate == nullptr) {
+    if (!wanted_.are_wanted() || estimate == nullptr) {
         told_ = nullptr;
         return true;
     }
@@ -73,8 +82,8 @@ bool LayerTimesFile::tell(const std::shared_ptr<const plan::JobEstimate>& estima
         told_ = estimate;
         begun_ = now;
         is_written_ = std::make_shared<std::atomic<bool>>(false);
-        const bool is_taken = files_->do_later([path = path_, estimate, job, is_written = is_written_] {
-            const auto written = write_layer_times(path, *estimate, job->view);
+        const bool is_taken = files_->do_later([wanted = wanted_, estimate, job, is_written = is_written_] {
+            const auto written = write_planned(wanted, *estimate, job->view);
             if (!written) rtcore::say(written.error().message);
             is_written->store(true);
         });

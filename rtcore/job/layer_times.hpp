@@ -17,15 +17,21 @@ namespace psicarve::supervisor {
 /// "layer,seconds": when each of a job's layers is over as planned, counted from the job's first point.
 std::string layer_times_csv(const plan::JobEstimate& estimate, const JobView& job);
 
-/// Writes that into a file, replacing its content, or into a descriptor's (/proc/self/fd/N).
-Result<void> write_layer_times(const std::string& path, const plan::JobEstimate& estimate,
-                               const JobView& job);
+/// Where they go, and where each point's (PointPlan): a file, whose content is replaced, or `fd:N`, an open
+/// descriptor's. Empty: nowhere.
+struct PlannedFiles {
+    std::string layers;
+    std::string points;
+    bool are_wanted() const noexcept { return !layers.empty() || !points.empty(); }
+};
+Result<void> write_planned(const PlannedFiles& files, const plan::JobEstimate& estimate, const JobView& job);
 
-/// Writes the layer times in another thread than the supervisor's, which waits for no disk.
+/// Writes them in another thread than the supervisor's, which waits for no disk.
 class LayerTimesFile {
 public:
-    /// `path` empty: writes nothing. `files`, the thread that writes, outlives this.
-    LayerTimesFile(std::string path, rtcore::SideThread& files) : path_(std::move(path)), files_(&files) {}
+    /// `files`, the thread that writes, outlives this.
+    LayerTimesFile(PlannedFiles wanted, rtcore::SideThread& files)
+        : wanted_(std::move(wanted)), files_(&files) {}
 
     /// Call it repeatedly, with the estimate of the job at hand; null: none yet. True once the times are
     /// written, were refused, or wait for a disk that hangs: then the supervisor may report that they are
@@ -34,7 +40,7 @@ public:
               const std::shared_ptr<const LoadedJob>& job);
 
 private:
-    std::string path_;
+    PlannedFiles wanted_;
     rtcore::SideThread* files_;
     std::shared_ptr<const plan::JobEstimate> told_;
     std::shared_ptr<std::atomic<bool>> is_written_;

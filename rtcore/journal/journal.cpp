@@ -163,7 +163,7 @@ void Journal::note_program_record(const FlightRecord& record) {
         const bool is_one_of_many = program_.hold == ProgramHold::single ||
                                     (program_.hold == ProgramHold::starved && before.starvations > 0);
         if (is_one_of_many) return;
-        is_hold_told_ = program_.hold != ProgramHold::starved;  // nobody tells when that is over
+        is_hold_told_ = program_.hold != ProgramHold::starved;  // its end is not told
         if (program_.hold != ProgramHold::none) facts.add("how", name_of(program_.hold));
         add_line(facts, program_);
         put(JournalKind::job, "program held", record.tick, std::move(facts));

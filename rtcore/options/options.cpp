@@ -164,6 +164,12 @@ void describe(CLI::App& app, CoreOptions& options, Texts& texts) {
            "point (CSV); fd:N: into an open descriptor")
         ->type_name("FILE.csv")
         ->check(check_not_empty);
+    app.add_option("--point-times", options.point_times_path,
+                   "Likewise, write what the way to each point takes, in seconds, and what bounds it "
+                   "(binary); fd:N: into an "
+                   "open descriptor")
+        ->type_name("FILE")
+        ->check(check_not_empty);
     app.add_option(
            "--state", options.state_folder,
            "Keep in this folder how far the piece is carved, a copy of its job and what happens to "
@@ -205,7 +211,8 @@ Result<void> check_files(const CoreOptions& options) {
                                  {"--replay", options.replay_path, false},
                                  {"--piece", options.piece_path, true},
                                  {"--lateness", options.lateness_path, true},
-                                 {"--layer-times", options.layer_times_path, true}};
+                                 {"--layer-times", options.layer_times_path, true},
+                                 {"--point-times", options.point_times_path, true}};
     for (const std::string& path : options.trace_paths)
         if (!path.starts_with("fd:")) files.push_back({"--trace", path, true});
     return check_distinct(files);
@@ -223,6 +230,8 @@ Result<void> check_meant(const CLI::App& app, const CoreOptions& options) {
     }
     if (options.assume_homed && options.replay_path.empty())
         return wrong("--assume-homed", "is for --replay on a real port; home the machine instead");
+    if (options.no_estimate && !options.point_times_path.empty())
+        return wrong("--point-times", "is of the estimate; leave out --no-estimate");
     if (options.replays_program && (options.replay_path.empty() || options.clock == ClockKind::real))
         return wrong("--replay-program", "is for --replay on the virtual clock");
     if (app.count("--state") > 0 && app.count("--no-state") > 0)

@@ -53,6 +53,7 @@ struct CoreOptions {
     int priority = 80;             ///< of the tick, SCHED_FIFO
     bool no_estimate = false;      ///< the core does not calculate how long a job takes
     std::string layer_times_path;  ///< written when a job is planned: when each of its layers is over, CSV
+    std::string point_times_path;  ///< likewise: what the way to each point takes, a PointPlan's bytes
     std::string state_folder;      ///< for checkpoint, job and journal; empty: nothing is kept
 };
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "rtcore/plan/program.hpp"
+#include "shared/job/point_plan.hpp"
 
 namespace psicarve::plan {
 
@@ -28,6 +30,9 @@ public:
     std::uint64_t points() const noexcept { return marks_.back().points; }
     /// From the first point to the last one planned.
     double seconds() const noexcept { return marks_.back().seconds; }
+    /// Of each point by itself; once all is planned, where that was asked for.
+    void keep(PointPlan points) { point_plan_ = std::move(points); }
+    const PointPlan& point_plan() const noexcept { return point_plan_; }
     /// They are the least that the limits allow: T_ref.
     bool is_reference() const noexcept { return marks_.back().is_reference; }
     /// From the first point to the one after which so many are done; past what is planned as forecast, if
@@ -43,6 +48,7 @@ private:
 
     Marks marks_{PlannedSoFar{.points = 1}};     ///< the first point is where it begins
     Marks forecast_{PlannedSoFar{.points = 1}};  ///< of the whole table
+    PointPlan point_plan_;
 };
 
 }  // namespace psicarve::plan

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rtcore/plan/job_estimator.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "rtcore/plan/approach.hpp"
 #include "rtcore/plan/carving.hpp"
+#include "rtcore/plan/point_times.hpp"
 #include "rtcore/plan/time_forecast.hpp"
 #include "rtcore/process/handler_stack.hpp"
 #include "rtcore/process/side_thread.hpp"
@@ -23,8 +25,8 @@ PlannedSoFar with_first_point(PlannedSoFar planned) noexcept {
 
 }  // namespace
 
-JobEstimator::JobEstimator(const Profile& profile)
-    : limits_(machine_limits(profile)), thread_([this] { run(); }) {}
+JobEstimator::JobEstimator(const Profile& profile, bool keeps_points)
+    : limits_(machine_limits(profile)), keeps_points_(keeps_points), thread_([this] { run(); }) {}
 
 JobEstimator::~JobEstimator() {
     {
@@ -43,7 +45,8 @@ void JobEstimator::begin(std::shared_ptr<const JobView> job) {
     static_cast<void>(look());
 }
 
-// Its thread is of low priority: interrupted while it holds the mutex, it keeps it until nobody else is busy.
+// Its thread is of low priority: interrupted while it holds the mutex, it keeps it until no other thread is
+// busy.
 std::unique_lock<std::mutex> JobEstimator::look() {
     std::unique_lock lock(mutex_, std::try_to_lock);
     if (lock) exchange_with_thread();
@@ -123,7 +126,10 @@ void JobEstimator::plan(const std::shared_ptr<const JobView>& job, std::uint64_t
     const auto program = carving_of(limits, job);
     cycle::MotionBlock block{};
     std::uint64_t points = 0;
+    std::optional<PointTimes> times;
+    if (keeps_points_) times.emplace(limits, *job);
     while (program->next(block)) {
+        if (times) times->add(block);
         const PlannedSoFar planned = program->planned();
         if (planned.points == points) continue;
         points = planned.points;
@@ -131,6 +137,7 @@ void JobEstimator::plan(const std::shared_ptr<const JobView>& job, std::uint64_t
     }
     const bool is_done = change(edition, [&](JobEstimate& estimate) {
         estimate.add(with_first_point(program->planned()));
+        if (times) estimate.keep(times->take());
         is_whole_ = true;
     });
     if (is_done) changed_.notify_all();

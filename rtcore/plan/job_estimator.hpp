@@ -21,7 +21,8 @@ namespace psicarve::plan {
 /// planner has come. Nothing waits for it, and no motion depends on it. Not for the tick.
 class JobEstimator {
 public:
-    explicit JobEstimator(const Profile& profile);
+    /// `keeps_points`: each point by itself, too, 5 bytes a point.
+    explicit JobEstimator(const Profile& profile, bool keeps_points = false);
     ~JobEstimator();
     JobEstimator(const JobEstimator&) = delete;
     JobEstimator& operator=(const JobEstimator&) = delete;
@@ -48,6 +49,7 @@ private:
     bool change(std::uint64_t edition, const std::function<void(JobEstimate&)>& change);
 
     MachineLimits limits_;
+    bool keeps_points_;
     std::shared_ptr<const JobView> next_job_;  ///< not handed over yet
     bool has_next_job_ = false;
     std::shared_ptr<const JobEstimate> whole_;

@@ -111,7 +111,7 @@ bool stop_is_sooner(double accel, double length, double turn_speed2, double stop
 
 // A turn by K within a tube of half width w takes a length of 8w/K at most, since the parabola that touches
 // both chords leaves them by K * length / 8. A turn that goes away when each of the three points moves within
-// its own tube is but rounding: nobody stops for that.
+// its own tube is but rounding: no need to stop for that.
 PathCorner corner_between(const MachineLimits& limits, const PathSpan& before, const PathSpan& after) {
     const double room = 0.5 * (before.length + after.length);
     const double offset_per_turn = 0.5 * before.length * after.length / room;

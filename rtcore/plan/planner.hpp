@@ -37,7 +37,7 @@ public:
     /// Planner's thread. Cheap: a request waits, or an unfinished program's queue is at most half full.
     bool wants_poll() const noexcept;
     /// Planner's thread. Takes the newest request and queues as many blocks as fit. That may be seconds of
-    /// work: whoever has other duties is asked after each block whether there is time for more.
+    /// work: a caller with other duties is asked after each block whether there is time for more.
     void poll(const std::function<bool()>& has_time = {});
 
     /// Planner's thread. All that was queued may be done before more of the program comes: its next steps are

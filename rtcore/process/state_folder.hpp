@@ -14,7 +14,7 @@ namespace psicarve::supervisor {
 /// decides.
 Result<void> make_state_folder(const std::string& folder);
 
-/// Root calls it for a user who may not make the folder: only where nobody but root can replace it, and only
+/// Root calls it for a user who may not make the folder: only where root alone can replace it, and only
 /// what this call has made is given to that user. Elsewhere it does nothing: the user makes the folder, or
 /// cannot.
 void make_state_folder_for(const std::string& folder, uid_t user, gid_t group);

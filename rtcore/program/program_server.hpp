@@ -15,7 +15,7 @@
 namespace psicarve::program {
 
 /// What a core that begins then numbers its programs from: no number comes twice while the computer runs, so
-/// nobody who outlives a core takes a later core's program for its own. A whole number also in JSON.
+/// no process that outlives a core takes a later core's program for its own. A whole number also in JSON.
 constexpr std::uint64_t first_program_number(std::chrono::steady_clock::time_point began) noexcept {
     constexpr std::uint64_t kMostPerMillisecond = 1000;
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(began.time_since_epoch()).count();

@@ -42,7 +42,7 @@ bool is_known_arc(const MotionRecord& record) noexcept {
 }
 
 /// What may stand in a record of its kind: flags, axes and codes that are not known mean something else to
-/// whoever wrote them than to us.
+/// their writer than to us.
 bool is_known(const MotionRecord& record) noexcept {
     for (const std::uint8_t byte : record.reserved)
         if (byte != 0) return false;

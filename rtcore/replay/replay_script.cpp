@@ -3,23 +3,20 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
 #include "rtcore/cycle/request_command.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/machine/recorded_program.hpp"
+#include "shared/machine/replayed_part.hpp"
 
 namespace psicarve::supervisor {
 namespace {
 
 bool is_done(const FlightRecord& record, RecordKind kind) {
     return record.kind == kind && static_cast<AnswerKind>(record.answer) == AnswerKind::done;
-}
-
-bool is_homed_rest(const FlightRecord& record) {
-    return record.kind == RecordKind::state_change &&
-           static_cast<MachineState>(record.code) == MachineState::ready;
 }
 
 std::optional<cycle::RequestKind> request_of(const FlightRecord& record) {
@@ -104,33 +101,11 @@ void add_part(cycle::MotionOrder& order, const FlightRecord& record) {
 
 using Records = std::vector<FlightRecord>;
 
-/// The newest job was loaded while the machine was homed and at rest, or it came to be so later: the snapshot
-/// holds no other job, so nothing before that can be run again.
-Records::const_iterator first_after_job(const Records& records) {
-    const auto is_job = [](const FlightRecord& record) { return is_done(record, RecordKind::job); };
-    const auto last_job = std::find_if(records.rbegin(), records.rend(), is_job);
-    if (last_job == records.rend()) return std::ranges::find_if(records, is_homed_rest);
-    const auto job = std::prev(last_job.base());
-    const auto is_change = [](const FlightRecord& record) { return record.kind == RecordKind::state_change; };
-    const auto state_at_job = std::find_if(last_job, records.rend(), is_change);
-    if (state_at_job != records.rend() && is_homed_rest(*state_at_job)) return job;
-    return std::find_if(job, records.end(), is_homed_rest);
-}
-
 bool is_command(const FlightRecord& record, CommandKind kind) {
     return is_done(record, RecordKind::command) && static_cast<CommandKind>(record.code) == kind;
 }
 bool is_program(const FlightRecord& record) {
     return is_command(record, CommandKind::program);
-}
-
-/// Nor are the records of a program in it: without them what can be run again begins after the last one.
-Records::const_iterator first_of_script(const Records& records) {
-    const auto first = first_after_job(records);
-    const auto last_program =
-        std::find_if(records.rbegin(), Records::const_reverse_iterator{first}, is_program);
-    if (last_program == Records::const_reverse_iterator{first}) return first;
-    return std::find_if(last_program.base(), records.end(), is_homed_rest);
 }
 
 /// An override given between the job's loading and the script's begin still holds there.
@@ -189,8 +164,9 @@ ReplayScript script_of(const Records& records, Records::const_iterator first, Re
 }  // namespace
 
 std::optional<ReplayScript> script_from_records(const std::vector<FlightRecord>& records) {
-    const auto first = first_of_script(records);
-    if (first == records.end() || std::next(first) == records.end()) return std::nullopt;
+    const auto begin = replay_begin(records);
+    if (!begin || *begin + 1 == records.size()) return std::nullopt;
+    const auto first = records.begin() + static_cast<std::ptrdiff_t>(*begin);
     ReplayScript script = script_of(records, first, records.end());
     if (script.steps.empty()) return std::nullopt;
     return script;
@@ -201,12 +177,12 @@ std::optional<ReplayScript> script_of_program(const std::vector<FlightRecord>& r
     const auto last_program = std::find_if(records.rbegin(), records.rend(), is_program);
     if (last_program == records.rend()) return std::nullopt;
     if (static_cast<std::uint64_t>(last_program->value) != program) return std::nullopt;
-    const auto rest = std::find_if(last_program, records.rend(), is_homed_rest);
-    if (rest == records.rend()) return std::nullopt;
+    const auto begin = program_replay_begin(records);
+    if (!begin) return std::nullopt;
     const auto next_job = std::find_if(last_program.base(), records.end(), [](const FlightRecord& record) {
         return is_done(record, RecordKind::job) || is_command(record, CommandKind::start);
     });
-    const auto first = std::prev(rest.base());
+    const auto first = records.begin() + static_cast<std::ptrdiff_t>(*begin);
     ReplayScript script = script_of(records, first, next_job);
     // What a homed machine has on at rest by a command that came before that.
     if ((first->signals & bit_of(Signal::spindle)) != 0)

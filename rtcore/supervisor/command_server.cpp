@@ -69,8 +69,8 @@ void CommandServer::take_commands(Segment& segment, cycle::RequestRing& requests
         }
         has_more_ = true;
     };
-    // What came since the last round is from somebody who lived a moment ago. After a longer silence of ours
-    // nobody is trusted: what a dead one wished for is not done.
+    // What came since the last round is from a sender that lived a moment ago. After a longer silence of ours
+    // none is trusted: what a dead one wished for is not done.
     const auto now = std::chrono::steady_clock::now();
     if (now - last_round_ < kLongestTrust) take_some(SenderLook::trusts);
     last_round_ = now;
@@ -103,7 +103,7 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
         command.kind == CommandKind::reset_alarm || command.kind == CommandKind::back_off;
     if (leaves_alarm && is_guard_lost_)
         return refuse(segment, received, message_of(MessageId::guard_ended, argument_of(command.kind)));
-    // Looked at once the command is ours: whoever sent it after a job finds that job, or is refused.
+    // Looked at once the command is ours: a sender that sent a job before it finds that job, or is refused.
     const std::uint64_t published = published_generation(segment);
     if (command.kind == CommandKind::start && published != 0 && published != seen_generation_)
         return refuse(segment, received, message_of(MessageId::job_looked_at));
@@ -113,7 +113,7 @@ void CommandServer::take_one(Segment& segment, const ReceivedCommand& received, 
         return refuse(segment, received, message_of(MessageId::no_such_sensor));
     if (command.kind == CommandKind::program) {
         if (!program_opener_) return refuse(segment, received, message_of(MessageId::unknown_command));
-        // It was read for a machine that stands there; whoever moves it now is refused while it is asked for.
+        // It was read for a machine that stands there; other motion is refused while it is asked for.
         if (!stands_at(sample, command))
             return refuse(segment, received, message_of(MessageId::program_start_moved));
         const auto opened = program_opener_(command.value2);

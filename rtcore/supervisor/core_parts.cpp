@@ -25,10 +25,12 @@ sim::SimConfig machine_for(const Profile& profile, const HomedStart& homed_start
     return config;
 }
 
+/// The gaps as the core takes them to be: a replay may begin with some crossed.
 trace::TraceStart trace_start_of(const CoreParts& parts) {
     trace::TraceStart start;
     start.period_ns = parts.period_ns;
-    if (parts.machine == nullptr) return start;  // nobody knows where a real machine stands
+    start.crossed_pulses = parts.cycle->pulses().crossed_pulses();
+    if (parts.machine == nullptr) return start;  // where a real machine stands is not known
     for (const Axis axis : kAllAxes)
         start.position_pulses[index_of(axis)] = parts.machine->position_pulses(axis);
     return start;
@@ -74,7 +76,7 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->profile = profile;
     parts->period_ns = tick_period_ns(profile);
     parts->port_name = port::port_text(options.port);
-    parts->layer_times_path = options.layer_times_path;
+    parts->planned_files = {options.layer_times_path, options.point_times_path};
     parts->state_folder = options.state_folder;
     const auto pin_map = PinMap::from_profile(profile);
     if (!pin_map) return pin_map.error();
@@ -88,19 +90,20 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     }
     parts->traces = TraceOutlet{options.clock == ClockKind::real ? TraceOutlet::WhenFull::loses
                                                                  : TraceOutlet::WhenFull::waits};
-    if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
-        return opened.error();
-    }
     parts->io = std::make_unique<cycle::CycleIo>();
     parts->trace_ring = std::make_unique<trace::TraceRing>();
     parts->io->trace = parts->trace_ring.get();
-    parts->io->traces_always = parts->traces.is_open();
     parts->cycle =
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
     if (request.homed_start) parts->cycle->assume_homed(*request.homed_start, request.start_levels);
+    if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
+        return opened.error();
+    }
+    parts->io->traces_always = parts->traces.is_open();
     parts->planner = std::make_unique<plan::Planner>(profile, *parts->io);
     if (!request.homed_start && !options.no_estimate)
-        parts->estimator = std::make_unique<plan::JobEstimator>(profile);
+        parts->estimator =
+            std::make_unique<plan::JobEstimator>(profile, !parts->planned_files.points.empty());
     return parts;
 }
 

@@ -10,6 +10,7 @@
 
 #include "rtcore/cycle/cycle.hpp"
 #include "rtcore/cycle/cycle_io.hpp"
+#include "rtcore/job/layer_times.hpp"
 #include "rtcore/options/options.hpp"
 #include "rtcore/plan/job_estimator.hpp"
 #include "rtcore/plan/planner.hpp"
@@ -43,9 +44,9 @@ struct CoreParts {
     std::unique_ptr<cycle::CycleIo> io;
     std::unique_ptr<cycle::Cycle> cycle;
     std::unique_ptr<plan::Planner> planner;
-    std::unique_ptr<plan::JobEstimator> estimator;  ///< null in a replay: nobody asks how long it will take
+    std::unique_ptr<plan::JobEstimator> estimator;  ///< null in a replay: no use for how long it will take
     TraceOutlet traces;                             ///< on the real clock one that loses what does not fit
-    std::string layer_times_path;                   ///< empty: nobody asks
+    PlannedFiles planned_files;                     ///< of a job that is planned
     std::string state_folder;                       ///< for what outlasts the computer's end; empty: none
 };
 

@@ -96,7 +96,7 @@ int run_latency_measurement(const CoreOptions& options) {
         std::printf("{\"seconds\": %u, %s}\n", seconds, counts_json(stats->report()).c_str());
         std::fflush(stdout);
     };
-    // From here on a signal ends it in order: whoever started it may know.
+    // From here on a signal ends it in order: its starter may know.
     tell(0);
     const timespec second{1, 0};
     for (std::uint32_t n = 1; n <= options.measure_seconds; ++n) {

@@ -18,7 +18,7 @@ void say_errors(CoreParts& parts) {
     for (std::string& line : parts.traces.take_errors()) say_later(parts, std::move(line));
 }
 
-/// Asks until it is done, as long as somebody still takes what is written.
+/// Asks until it is done, as long as what is written is still taken.
 template <typename Done>
 bool wait_while_taken(CoreParts& parts, std::chrono::seconds longest, Done&& is_done) {
     using Clock = std::chrono::steady_clock;

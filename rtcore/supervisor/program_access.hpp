@@ -13,7 +13,7 @@
 namespace psicarve::supervisor {
 
 /// Where programs of motion records come from, and who is told how they go. Each may be missing: then there
-/// are no programs, or nobody is told. All are called by the supervisor's thread alone.
+/// are no programs, or nothing is told. All are called by the supervisor's thread alone.
 struct ProgramAccess {
     /// The steps of the program that a command names, or why it cannot be run.
     std::function<Result<std::shared_ptr<plan::StepSource>>(std::uint64_t program)> open;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kSupervisorWait{5};
 constexpr std::chrono::microseconds kPlannerWait{500};
-/// While an answer is due from the tick, which wakes nobody; in so many rounds it comes, or the tick is late.
+/// While an answer is due from the tick, which wakes no thread; in so many rounds it comes, or the tick is
+/// late.
 constexpr std::chrono::microseconds kLeastAnswerWait{100};
 constexpr int kAnswerRounds = 50;
 

@@ -19,8 +19,8 @@ constexpr std::chrono::nanoseconds kCrowded{200'000'000};
 constexpr unsigned kNumberShift = 32;
 
 /// Any change of `word` goes into `mirrored`, unless that is another segment's by now. What is mirrored is
-/// read first: then the word that is read later is no older than it, and if somebody else has mirrored it
-/// meanwhile, both are read again. A thread that is kept between any two steps keeps nobody from it.
+/// read first: then the word that is read later is no older than it, and if another thread has mirrored it
+/// meanwhile, both are read again. A thread that is kept between any two steps keeps no other from it.
 bool mirror(const AtomicWord32& word, std::uint32_t number, std::uint32_t added,
             std::atomic<std::uint64_t>& mirrored) noexcept {
     std::uint64_t before = mirrored.load();
@@ -77,7 +77,7 @@ void StopListener::note_crowd() noexcept {
 }
 
 void StopListener::turn_to(std::shared_ptr<Segment> segment) noexcept {
-    // The last look at the old one: afterwards nobody's counts.
+    // The last look at the old one: afterwards its words count no more.
     look();
     source_.segment = std::move(segment);
     ++source_.number;
@@ -103,7 +103,7 @@ void StopListener::run(Source source) noexcept {
     promptness.raise();
     while (!must_end_.load()) {
         if (next_number_.load() != source.number) {
-            // Whoever holds the lock is an ordinary thread, and may be kept: then it is the next look's.
+            // The lock's holder is an ordinary thread, and may be kept: then it is the next look's.
             const std::unique_lock lock{next_mutex_, std::try_to_lock};
             if (lock.owns_lock()) source = std::move(next_);
         }

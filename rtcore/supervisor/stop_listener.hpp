@@ -13,11 +13,11 @@
 namespace psicarve::supervisor {
 
 /// Mirrors a segment's words of stop and emergency stop into those that the tick looks at. But for the thread
-/// that it has of its own, one thread's: whoever takes the segment's commands.
+/// that it has of its own, one thread's: the one that takes the segment's commands.
 class StopListener {
 public:
-    /// What has been asked for so far was asked of somebody else. `urgent` outlives the listener, and its
-    /// words of stop are written by nobody else.
+    /// What has been asked for so far was asked of an earlier core. `urgent` outlives the listener, and its
+    /// words of stop are written by it alone.
     StopListener(std::shared_ptr<Segment> segment, cycle::UrgentWords& urgent) noexcept;
     /// Ends listening; takes a few milliseconds.
     ~StopListener();
@@ -27,10 +27,10 @@ public:
     /// True when something was handed on. Not for the tick.
     bool look() noexcept;
     /// Looks from now on in a thread of its own, too, which runs before everything ordinary and after every
-    /// tick (promptness.hpp): whoever takes commands hears a stop sooner as long as nothing keeps it, but
-    /// however many commands wait, and whatever keeps their reader, a stop waits for neither. It looks every
-    /// 2 ms, in a crowd every 0.04 ms. It waits for no event: two threads woken by the same one are both
-    /// later for it. Once.
+    /// tick (promptness.hpp): the thread that takes commands hears a stop sooner as long as nothing keeps it,
+    /// but however many commands wait, and whatever keeps their reader, a stop waits for neither. It looks
+    /// every 2 ms, in a crowd every 0.04 ms. It waits for no event: two threads woken by the same one are
+    /// both later for it. Once.
     void listen();
     /// Several commands came at one time: for a while a stop may have to pass many.
     void note_crowd() noexcept;

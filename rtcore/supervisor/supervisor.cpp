@@ -54,7 +54,7 @@ Supervisor::Supervisor(CoreParts& parts, const SegmentOptions& segment_options, 
       sample_(read_sample()),
       judged_generation_(0),
       loader_(parts.profile, !facts.is_virtual_clock),
-      layer_times_(parts.layer_times_path, parts.files),
+      layer_times_(parts.planned_files, parts.files),
       slept_ns_(first_sleep_ns()) {
     introduce();
     parts.traces.set_recording_taker([this](std::uint32_t token, std::span<const std::uint8_t> bytes) {
@@ -140,7 +140,7 @@ bool Supervisor::request(cycle::RequestKind kind, std::uint64_t value, std::uint
     return parts_->io->requests.push(request);
 }
 
-// On the virtual clock ticks say nothing about how long somebody has been silent: there the lease runs here.
+// On the virtual clock ticks say nothing about how long a client has been silent: there the lease runs here.
 void Supervisor::mirror_jog_lease() {
     const std::uint64_t word = segment_->header().jog_lease.load(std::memory_order_acquire);
     const bool is_renewed = word != parts_->io->urgent.jog_lease.load(std::memory_order_relaxed) &&
@@ -230,9 +230,9 @@ void Supervisor::finish_job(const cycle::Report& report) {
         hand_out(job_);
     }
     loading_job_.reset();
-    // Whoever reads it once the job is acknowledged must not find the times of the job before.
+    // A reader that comes once the job is acknowledged must not find the times of the job before.
     publish_status();
-    // The segment that it came from is gone: nobody in the new one asked.
+    // The segment that it came from is gone: in the new one it was not asked for.
     if (!is_offer_stale_) acknowledge_job(*segment_, generation, accepted, said);
 }
 
@@ -248,7 +248,7 @@ void Supervisor::drain_reports() {
     while (const cycle::Report* next = parts_->io->reports.front()) {
         const cycle::Report report = *next;
         sample_ = read_sample();
-        // Whoever asked for something must see the state it led to no later than the answer: the sample of
+        // A client must see the state that its request led to no later than the answer: the sample of
         // that tick is written at its end. It comes; the next round will find it.
         if (report.kind == cycle::Report::Kind::answer && sample_.tick < report.record.tick) return;
         parts_->io->reports.pop();
@@ -324,7 +324,7 @@ void Supervisor::publish_status() {
 
 void Supervisor::watch_guard() {
     if (parts_->guard == nullptr) return;
-    // For ever: without it nothing moves any more, whoever resets the alarm.
+    // For ever: without it nothing moves any more, even if the alarm is reset.
     const bool is_lost = parts_->guard->is_guard_lost(std::chrono::steady_clock::now());
     server_.keep_in_alarm(is_lost);
     if (sample_.state == MachineState::alarm) {
@@ -359,7 +359,7 @@ void Supervisor::check_segment() {
 
 void Supervisor::take_new_segment() {
     // What we served is ours to replace, truncated or overwritten as it is; so is garbage in its place.
-    // Anything else is somebody's; we ask again.
+    // Anything else may be in use; we ask again.
     if (!segment_->give_up_name()) return;
     SegmentOptions options = segment_options_;
     options.replaces_damaged = true;

@@ -41,7 +41,7 @@ public:
     /// One round. True when something was handed to the tick. Commands, jobs and a jog's lease wait for a
     /// round that hears everything.
     bool poll(Hearing hearing = Hearing::everything);
-    /// Sleeps until a command or job comes, or the limit passes. On the real clock whoever sends something
+    /// Sleeps until a command or job comes, or the limit passes. On the real clock a sender
     /// does not keep us from it: the next round's commands are taken before anything ordinary runs.
     void wait(std::chrono::nanoseconds limit) noexcept;
     /// The tick has been asked for something, and what came of it is not known yet.
@@ -53,7 +53,7 @@ public:
     /// their own.
     void listen_for_stops() { listener_.listen(); }
 
-    /// Before anybody may publish, on the virtual clock: the job that an earlier core has left is loaded
+    /// Before a job may be published, on the virtual clock: the job that an earlier core has left is loaded
     /// while the machine settles, and no tick passes for it later.
     void load_left_job() { take_job(); }
 
@@ -82,7 +82,8 @@ public:
     /// From here on every command is refused with this reason, but for shutdown.
     void refuse_commands(const Message& why) noexcept { server_.refuse_all(why); }
 
-    /// On the virtual clock: time stands still until whoever has the pins recorded has read more, or is gone.
+    /// On the virtual clock: time stands still until the process that has the pins recorded has read more, or
+    /// is gone.
     bool must_wait_for_reader() const noexcept {
         return is_virtual_clock_ && recording_.is_reader_behind(segment_->header());
     }
@@ -90,7 +91,7 @@ public:
     bool shutdown_requested() const noexcept { return server_.shutdown_requested(); }
     const cycle::Sample& sample() const noexcept { return sample_; }
     Segment& segment() noexcept { return *segment_; }
-    /// The last thing: status as it stands, and nobody serves the segment any more.
+    /// The last thing: status as it stands, and the segment is not served any more.
     void leave();
 
 private:
@@ -115,12 +116,12 @@ private:
     /// Into the segment: who drives what.
     void introduce();
 
-    static constexpr std::uint64_t kOwnRequest = 0;  ///< sequence of requests that nobody waits for
+    static constexpr std::uint64_t kOwnRequest = 0;  ///< sequence of requests without a waiting sender
     static constexpr std::uint64_t kJobRequest = ~std::uint64_t{0};
 
     CoreParts* parts_;
     SegmentOptions segment_options_;
-    std::shared_ptr<Segment> segment_;  ///< with whoever looks at a job in it
+    std::shared_ptr<Segment> segment_;  ///< shared with readers of a job in it
     StopListener listener_;             ///< at segment_
     CommandServer server_;
     StatusMirror mirror_;

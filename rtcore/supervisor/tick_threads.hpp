@@ -18,7 +18,7 @@ struct TickThreads {
     std::atomic<bool> record_may_begin{false};
     rtcore::PeriodicStats stats;                ///< of the tick; two-timer: of inputs and pulses
     rtcore::PeriodicStats interpolation_stats;  ///< two-timer
-    rtcore::PriorityMutex cycle_mutex;          ///< two-timer: whoever holds it is the cycle's one thread
+    rtcore::PriorityMutex cycle_mutex;          ///< two-timer: its holder is the cycle's one thread
 };
 
 /// Schedule single: the whole tick, and no lock. Two-timer: inputs and pulses. Returns when told to end, with

@@ -17,7 +17,7 @@ constexpr std::chrono::milliseconds kIdleWait{20};
 constexpr std::chrono::milliseconds kReaderWait{1};
 constexpr std::chrono::milliseconds kLongestSilence{20};  ///< of the core while it plans
 constexpr std::uint64_t kBlocksPerLook = 1024;            ///< planned between two looks at ordinary requests
-/// A reader that stands still for longer keeps nobody's request waiting.
+/// A reader that stands still for longer keeps no request waiting.
 constexpr std::chrono::milliseconds kReaderPatience{250};
 
 /// Decides which ticks virtual time has, and which of them may take a request. At rest a tick passes only for
@@ -56,7 +56,7 @@ public:
 
     /// The program that runs has not been written on, and all that was is done, or nothing is queued
     /// behind the part at hand: time stands still until it is, or something is asked for. So how quickly
-    /// somebody writes does not show in the trace.
+    /// a program is written does not show in the trace.
     bool awaits_steps() {
         if (!parts_->cycle->awaits_blocks() || parts_->io->requests.size() > 0) return false;
         if (parts_->io->urgent.failures.load() != 0) return false;
@@ -78,7 +78,7 @@ private:
     }
     void tick() {
         if (record_ != nullptr) record_->before_tick(parts_->cycle->next_tick(), *parts_);
-        // How much of a plan is queued when it is dropped follows from the moment at which somebody stops it:
+        // How much of a plan is queued when it is dropped follows from the moment at which it is stopped:
         // the next one finds an empty queue. Not earlier, or the planner would go on filling it.
         if (parts_->io->plan_requests.size() > 0) parts_->cycle->drop_overtaken_blocks();
         if (parts_->planner->wants_poll()) plan();

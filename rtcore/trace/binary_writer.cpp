@@ -13,15 +13,22 @@ static_assert(std::endian::native == std::endian::little, "the header is written
 BinaryWriter::BinaryWriter(TraceOutput out, const TraceStart& start) noexcept
     : out_(std::move(out)), levels_(start.levels) {
     TraceHeader header{.magic = kTraceMagic,
-                       .version = kTraceVersion,
+                       .version = start.has_crossed() ? kCrossedTraceVersion : kTraceVersion,
                        .initial_levels = start.levels,
                        .period_ns = start.period_ns,
                        .position_pulses = {},
                        .reserved = 0};
     std::copy(start.position_pulses.begin(), start.position_pulses.end(), header.position_pulses);
-    std::uint8_t* const place = out_.room(sizeof header);
+    std::uint8_t* place = out_.room(sizeof header + sizeof(TraceCrossed));
     std::memcpy(place, &header, sizeof header);
-    out_.commit(place + sizeof header);
+    place += sizeof header;
+    if (start.has_crossed()) {
+        TraceCrossed crossed{};
+        std::copy(start.crossed_pulses.begin(), start.crossed_pulses.end(), crossed.crossed_pulses);
+        std::memcpy(place, &crossed, sizeof crossed);
+        place += sizeof crossed;
+    }
+    out_.commit(place);
 }
 
 void BinaryWriter::add(const TraceEntry& entry) noexcept {

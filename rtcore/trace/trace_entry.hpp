@@ -21,6 +21,7 @@ struct TraceEntry {
     std::uint32_t token;      ///< kinds begin and end: the recording's token; kind job: the lower half of its
                               ///< generation, then its place in TraceThread
     std::array<std::int64_t, kAxisCount> position_pulses;  ///< kinds position and begin
+    std::array<std::int64_t, kAxisCount> crossed_pulses;   ///< kind begin: of each axis' gap, downwards
 };
 
 inline constexpr std::size_t kTraceRingEntries = 65536;

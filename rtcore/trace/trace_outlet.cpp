@@ -81,7 +81,7 @@ void TraceOutlet::lose(File& file, const trace::TraceEntry& entry) {
 void TraceOutlet::begin_recording(const trace::TraceEntry& entry) {
     drop_recording();
     if (!recording_taker_) return;
-    const trace::TraceStart start{period_ns_, entry.levels, entry.position_pulses};
+    const trace::TraceStart start{period_ns_, entry.levels, entry.position_pulses, entry.crossed_pulses};
     TraceOutput out{[this, token = entry.token](std::span<const std::uint8_t> bytes) {
         if (recording_) recording_taker_(token, bytes);  // else it was dropped
     }};

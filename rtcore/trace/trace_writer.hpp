@@ -21,6 +21,10 @@ struct TraceStart {
     std::int64_t period_ns = 0;
     SignalWord levels = 0;  ///< all signals at tick 0
     std::array<std::int64_t, kAxisCount> position_pulses{};
+    /// Of each axis' gap, crossed downwards. Told only where some axis has.
+    std::array<std::int64_t, kAxisCount> crossed_pulses{};
+
+    bool has_crossed() const noexcept { return crossed_pulses != decltype(crossed_pulses){}; }
 };
 
 /// A job in memory that does not change.

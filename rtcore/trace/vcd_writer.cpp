@@ -36,6 +36,7 @@ VcdWriter::VcdWriter(TraceOutput out, const TraceStart& start) noexcept
       counted_(start.position_pulses) {
     write_definitions();
     write_positions(start.position_pulses);
+    if (start.has_crossed()) write_axes("crossed_pulses", start.crossed_pulses);
     out_.write("$enddefinitions $end\n#0\n$dumpvars\n");
     write_levels(kAllSignals, levels_);
     out_.write("$end\n");
@@ -56,8 +57,9 @@ void VcdWriter::write_definitions() noexcept {
     out_.write(" $end\n");
 }
 
-void VcdWriter::write_positions(const Positions& pulses) noexcept {
-    out_.write("$comment position_pulses");
+void VcdWriter::write_axes(std::string_view what, const Positions& pulses) noexcept {
+    out_.write("$comment ");
+    out_.write(what);
     for (const Axis axis : kAllAxes) {
         out_.write(" ");
         out_.write(name_of(axis));

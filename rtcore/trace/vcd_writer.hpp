@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "rtcore/trace/trace_writer.hpp"
 #include "shared/trace/trace_output.hpp"
@@ -31,7 +32,8 @@ public:
 private:
     using Positions = std::array<std::int64_t, kAxisCount>;
     void write_definitions() noexcept;
-    void write_positions(const Positions& pulses) noexcept;
+    void write_axes(std::string_view what, const Positions& pulses) noexcept;
+    void write_positions(const Positions& pulses) noexcept { write_axes("position_pulses", pulses); }
     void count_pulses(SignalWord levels) noexcept;
     void write_time(std::int64_t time_ns) noexcept;
     void write_levels(SignalWord which, SignalWord levels) noexcept;

@@ -77,7 +77,7 @@ struct Command {
     double value;        ///< meaning by kind; 0 where it has none
     std::uint64_t value2;
     double speed = 0.0;              ///< jog, jog_on: [mm/s; deg/s]; 0: the axis' home speed
-    std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; record; 0: nobody holds it
+    std::uint32_t lease_token = 0;   ///< jog, jog_on: see jog_lease.hpp; record; 0: not held
     std::uint32_t lease_ms = 0;      ///< jog, jog_on: how long it lives without being renewed
     double target[kAxisCount] = {};  ///< move: position by axis [mm; psi: deg]; program: [pulses]
     double centre[kAxisCount] = {};  ///< move, arcs: likewise

@@ -7,7 +7,7 @@
 
 namespace psicarve {
 
-/// Why a program waits though nobody asked it to hold.
+/// Why a program waits though no hold was asked for.
 enum class ProgramHold : std::uint8_t {
     none = 0,
     program = 1,      ///< M0, M60

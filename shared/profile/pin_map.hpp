@@ -26,7 +26,7 @@ std::optional<PinPlace> place_of_pin(int pin) noexcept;
 /// Pin 10..13 and 15 can be read; the other twelve of 1..17 can be driven.
 bool is_input_pin(int pin) noexcept;
 
-/// What a port may leave on when nobody tells it otherwise: "drives and spindle", "drives, spindle, mist and
+/// What a port may leave on when it is not told otherwise: "drives and spindle", "drives, spindle, mist and
 /// output_2".
 std::string names_of_powered(const Profile& profile);
 

@@ -14,7 +14,7 @@ namespace psicarve {
 
 // A queue of motion records between two processes: one writes, one reads, in shared memory that either may
 // have overwritten. Each side keeps its own index and the capacity to itself; of the other's index it
-// believes nothing but what the capacity allows. A record is copied out before anybody looks at it. Nothing
+// believes nothing but what the capacity allows. A record is copied out before it is looked at. Nothing
 // here allocates or has an owner, so no process that dies leaves it locked. Not for the tick.
 //
 //     index    ... taken ........... written ...        written - taken <= capacity, whatever 2^64 does to

@@ -343,7 +343,7 @@ std::optional<ProgramFeed> ProgramDesk::open(std::uint64_t first) noexcept {
     ProgramControl& control = segment_->header().program;
     if (!waiting_writer()) return std::nullopt;
     std::uint64_t claim = control.claim.load();
-    // Whoever takes its question back has not been given anything.
+    // A writer that takes its question back has not been given anything.
     if (claim == 0 || !control.asked.compare_exchange_strong(claim, 0)) return std::nullopt;
     const ProgramGrant grant{.claim = claim, .program = ++last_program_, .first = first};
     control.ends.written.store(first);

@@ -10,7 +10,7 @@ namespace psicarve {
 
 // The compact binary pin trace (docs/trace.md). Little-endian; every number after the header is LEB128.
 //
-//   header    TraceHeader, 64 bytes
+//   header    TraceHeader, 64 bytes; version 3: and TraceCrossed, 32 bytes
 //   records   number N, then what the record's kind asks for. N = 4*d + kind; d = ticks since the last
 //             record (since tick 0 for the first):
 //               kind 0  pins      XOR word: old levels ^ new levels (SignalWord); 0: a job, see below
@@ -28,6 +28,9 @@ namespace psicarve {
 
 inline constexpr std::uint64_t kTraceMagic = 0x3143525441435350ULL;  // "PSCATRC1"
 inline constexpr std::uint32_t kTraceVersion = 2;
+/// Only where an axis stands within or beyond its gap, so that programs that do not know of it refuse the
+/// trace instead of counting from elsewhere.
+inline constexpr std::uint32_t kCrossedTraceVersion = 3;
 inline constexpr std::uint32_t kOldestTraceVersion = 1;  ///< without jobs
 
 /// The two lowest bits of a record's first number.
@@ -43,6 +46,17 @@ struct TraceHeader {
     std::uint64_t reserved;                    ///< 0
 };
 static_assert(sizeof(TraceHeader) == 64);
+
+/// How much of each axis' gap (its backlash) was crossed downwards before the first value.
+struct TraceCrossed {
+    std::int64_t crossed_pulses[kAxisCount];
+};
+static_assert(sizeof(TraceCrossed) == 32);
+
+/// From here on there are records.
+constexpr std::size_t trace_head_bytes(std::uint32_t version) noexcept {
+    return sizeof(TraceHeader) + (version >= kCrossedTraceVersion ? sizeof(TraceCrossed) : 0);
+}
 
 constexpr std::uint64_t trace_record_head(std::uint64_t ticks_passed, TraceRecordKind kind) noexcept {
     return ticks_passed << kTraceKindBits | static_cast<std::uint64_t>(kind);

@@ -90,6 +90,7 @@ inline void require_trace_or_refusal(std::span<const std::uint8_t> bytes, const 
     require(whole.start.initial_levels == divided.start.initial_levels &&
                 whole.start.present == divided.start.present &&
                 whole.start.position_pulses == divided.start.position_pulses &&
+                whole.start.crossed_pulses == divided.start.crossed_pulses &&
                 whole.start.period_ns == divided.start.period_ns,
             "a pipe's trace begins as a file's");
     require(std::ranges::equal(whole.events, divided.events, &is_same), "a pipe's events are a file's");

@@ -27,7 +27,7 @@ public:
         start.present = (SignalWord{1} << kSignalCount) - 1;
         start.has_positions = true;
         start.period_ns = period_ns_;
-        verifier_.begin(start);
+        EXPECT_TRUE(verifier_.begin(start).has_value());
     }
     void drain() {
         TraceEntry entry;

@@ -25,7 +25,7 @@ public:
         auto trace = verify::open_trace(trace_path);
         EXPECT_TRUE(trace.has_value()) << trace_path;
         if (!trace) return;
-        verifier_.begin((*trace)->start());
+        EXPECT_TRUE(verifier_.begin((*trace)->start()).has_value());
         std::array<verify::TraceEvent, 1024> events;
         for (;;) {
             const auto count = (*trace)->read(events);

@@ -47,7 +47,7 @@ Places places_carved(const std::string& path, const Profile& profile) {
     verify::OffenceLog log;
     verify::CarvePlace place;
     verify::PinRules pins{profile, log, place, carved};
-    pins.begin(trace->start());
+    EXPECT_TRUE(pins.begin(trace->start()).has_value());
     std::vector<verify::TraceEvent> events(4096);
     while (const std::size_t count = trace->read(events).value()) pins.feed(std::span{events}.first(count));
     pins.settle();

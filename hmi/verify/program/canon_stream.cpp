@@ -76,7 +76,7 @@ void CanonStream::read(const Opener& open, const gcode::InterpreterOptions& lang
     was_changed_.notify_all();
 }
 
-/// Waits until the last ones are taken. False: nobody takes any more.
+/// Waits until the last ones are taken. False: no more are taken.
 bool CanonStream::put(std::vector<gcode::CanonRecord>& records) {
     std::unique_lock lock{mutex_};
     was_changed_.wait(lock, [this] { return waiting_.empty() || is_given_up_; });

@@ -42,7 +42,7 @@ private:
     std::condition_variable was_changed_;
     std::vector<gcode::CanonRecord> waiting_;  ///< under the mutex
     bool is_over_ = false;                     ///< under the mutex: nothing more comes
-    bool is_given_up_ = false;                 ///< under the mutex: nobody takes any more
+    bool is_given_up_ = false;                 ///< under the mutex: no more are taken
     std::optional<Error> failure_;             ///< under the mutex, before it is over
     std::vector<gcode::CanonRecord> taken_;
     std::size_t next_ = 0;

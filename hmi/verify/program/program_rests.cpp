@@ -164,7 +164,7 @@ void ProgramRule::take_back(Live& way, std::int64_t since_ns) noexcept {
 }
 
 /// How much of the rest at a way's end the program does not ask for: until the spindle is switched, or
-/// besides its dwells. Nobody knows how long other rests are.
+/// besides its dwells. How long other rests are is not known.
 double ProgramRule::free_rest_s(const Live& way) const noexcept {
     if (way.switched_ns) return seconds_from_ns(*way.switched_ns - way.ended_ns);
     return std::max(seconds_from_ns(way.rested_ns) - way.dwells_s, 0.0);

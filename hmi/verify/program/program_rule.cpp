@@ -261,7 +261,7 @@ void ProgramRule::find_again(std::int64_t time_ns, const Positions& at) {
         if (!stays_on(*way, at)) continue;
         way->is_on = true;
         way->begun_ns = work_ns(time_ns);
-        // Nobody knows when it began.
+        // When it began is not known.
         way->demand.time = {};
         stretch_ = {};
         window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(n));

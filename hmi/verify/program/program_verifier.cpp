@@ -25,9 +25,10 @@ ProgramVerifier::ProgramVerifier(JudgedProgram program, const Profile& profile)
     : state_(std::make_unique<State>(std::move(program), profile)) {}
 ProgramVerifier::~ProgramVerifier() = default;
 
-void ProgramVerifier::begin(const TraceStart& start) {
-    state_->pins.begin(start);
+Result<void> ProgramVerifier::begin(const TraceStart& start) {
+    if (const auto begun = state_->pins.begin(start); !begun) return begun;
     state_->path.begin(start);
+    return {};
 }
 
 void ProgramVerifier::feed(std::span<const TraceEvent> events) {

@@ -53,7 +53,7 @@ public:
     ProgramVerifier(const ProgramVerifier&) = delete;
     ProgramVerifier& operator=(const ProgramVerifier&) = delete;
 
-    void begin(const TraceStart& start);
+    Result<void> begin(const TraceStart& start);
     void feed(std::span<const TraceEvent> events);
     ProgramVerifyReport finish();
 

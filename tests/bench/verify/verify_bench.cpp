@@ -73,7 +73,7 @@ int main() {
     bool ok = false;
     const double memory = seconds_of([&] {
         auto sut = Verifier::make(job.view(), job.profile);
-        sut->begin(machine.start);
+        (void)sut->begin(machine.start);
         sut->feed(machine.events);
         ok = sut->finish().ok;
     });

@@ -7,7 +7,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "hmi/replay/carving_timeline.hpp"
 #include "tests/hmi/replay/recorded_run.hpp"
@@ -214,6 +216,66 @@ TEST_F(TraceReplay, DoesNotTakeAnotherRunsEntriesForItsOwn) {
     EXPECT_THAT(in_english(sut->facts().warnings[0]), HasSubstr("another run"));
     EXPECT_FALSE(sut->facts().knows_states);
     EXPECT_TRUE(sut->facts().job);
+}
+
+/// Of the last entry of that kind, nothing: there is none.
+std::optional<std::size_t> last_of(const std::vector<FlightRecord>& entries, RecordKind kind) {
+    for (std::size_t i = entries.size(); i-- > 0;) {
+        if (entries[i].kind == kind) return i;
+    }
+    return std::nullopt;
+}
+
+// A core of its own, which counts ticks anew and begins at the rest behind homing.
+TEST_F(TraceReplay, TakesTheEntriesOfTheSnapshotThatReplayRanAgain) {
+    record();
+    const auto recorded = load_snapshot(snapshot());
+    ASSERT_TRUE(recorded);
+    start_core({"--replay", snapshot(), "--trace", file("again.trace")});
+    ASSERT_EQ(core_->wait_for_exit(), 0);
+    ASSERT_TRUE(save_snapshot(*recorded, file("again.snap")));
+    const auto sut = open(file("again.trace"));
+    EXPECT_TRUE(sut->facts().warnings.empty()) << in_english(sut->facts().warnings.front());
+    ASSERT_TRUE(sut->facts().knows_states);
+    ASSERT_TRUE(sut->facts().asked);
+    EXPECT_LT(sut->facts().entries.size(), recorded->records.size()) << "homing was not run again";
+    const auto period_ns = static_cast<std::int64_t>(end_.period_ns);
+    std::int64_t from_ns = -1;
+    for (const Entry& entry : sut->facts().entries) {
+        const auto at = sut->at(entry.time_ns + period_ns - 1, false);
+        ASSERT_TRUE(at);
+        EXPECT_GE(entry.time_ns, from_ns);
+        from_ns = entry.time_ns;
+        if (at->status.state == MachineState::carving) {
+            EXPECT_EQ(at->status.override_percent, 80U);
+            EXPECT_TRUE(at->place);
+        }
+    }
+    EXPECT_EQ(sut->at(0, false)->status.state, MachineState::ready);
+    const auto end = sut->at(sut->facts().end_ns, false);
+    for (std::size_t k = 0; k < kAxisCount; ++k)
+        EXPECT_EQ(end->status.position_pulses[k], end_.position_pulses[k]);
+
+    // Entries of other runs fit nowhere: elsewhere by some pulses, later by some ticks, or of a run that
+    // ended while this one went on.
+    const auto is_taken = [&](const std::vector<FlightRecord>& records) {
+        Snapshot other = *recorded;
+        other.records = records;
+        EXPECT_TRUE(save_snapshot(other, file("again.snap")));
+        return open(file("again.trace"))->facts().knows_states;
+    };
+    EXPECT_TRUE(is_taken(recorded->records));
+    std::vector<FlightRecord> other = recorded->records;
+    other[other.size() - 2].position_pulses[1] += 5;
+    EXPECT_FALSE(is_taken(other));
+    other = recorded->records;
+    const auto edge = last_of(other, RecordKind::input_edge);
+    ASSERT_TRUE(edge);
+    for (std::size_t i = *edge; i < other.size(); ++i) other[i].tick += 400;
+    EXPECT_FALSE(is_taken(other));
+    other = recorded->records;
+    other.resize(*edge - 2);
+    EXPECT_FALSE(is_taken(other));
 }
 
 TEST_F(TraceReplay, ShowsATraceThatWasCutOffUpToThereAndSaysSo) {

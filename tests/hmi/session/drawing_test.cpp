@@ -10,6 +10,7 @@
 #include "hmi/scene/mesh_scene.hpp"
 #include "hmi/scene/radius_map.hpp"
 #include "hmi/scene/space_picture.hpp"
+#include "hmi/scene/time_map.hpp"
 #include "shared/base/units.hpp"
 #include "tests/hmi/model/shapes.hpp"
 #include "tests/places.hpp"
@@ -61,6 +62,57 @@ TEST(RadiusMap, BecomesAPictureWithTheHighestLayerFirst) {
     EXPECT_NE(radius_picture(map, true), picture);
     EXPECT_EQ(viridis(-1.0), 0x440154U);
     EXPECT_EQ(viridis(0.5), 0x21918CU);
+}
+
+/// The n-th way of each layer takes n ms; the second one is bounded by R1, the others by the feed.
+PointPlan steady_plan(const cam::PreparedJob& job) {
+    PointPlan plan{std::vector<float>(20), std::vector<WayBound>(20, WayBound::unknown)};
+    for (std::uint32_t layer = 0; layer < 4; ++layer) {
+        for (std::uint32_t step = 1; step < 5; ++step) {
+            const std::size_t place = layer * 5 + carved_point(job.view.joining(), 5, layer, step);
+            const std::uint32_t way =
+                job.view.joining() == Joining::zigzag && layer % 2 == 1 ? 5 - step : step;
+            plan.seconds[place] = 1e-3F * static_cast<float>(way);
+            plan.bounds[place] = way == 2 ? WayBound::r1 : WayBound::feed;
+        }
+    }
+    return plan;
+}
+
+TEST(TimeMap, HasEachWayWhereBothHeadsGoIt) {
+    for (const Joining joining : {Joining::continuous, Joining::zigzag}) {
+        const auto job = two_halves(joining);
+        const TimeMap map = time_map(job, steady_plan(job), 720, 600);
+        ASSERT_EQ(map.rows, 4U);
+        ASSERT_EQ(map.columns, 8U);
+        for (std::size_t i = 0; i < map.way_ms.size(); ++i) {
+            EXPECT_FLOAT_EQ(map.way_ms[i], static_cast<float>(i % 4 + 1)) << i;
+            EXPECT_EQ(map.bounds[i], i % 4 == 1 ? WayBound::r1 : WayBound::feed) << i;
+        }
+        EXPECT_DOUBLE_EQ(map.most_ms, 4.0);
+        EXPECT_NEAR(map.bound_ratio[static_cast<std::size_t>(WayBound::r1)], 0.2, 1e-6);
+        EXPECT_NEAR(map.bound_ratio[static_cast<std::size_t>(WayBound::feed)], 0.8, 1e-6);
+    }
+}
+
+TEST(TimeMap, OfFewerCellsHasTheMeanAndWhatBoundsMostOfTheTime) {
+    const auto job = two_halves(Joining::continuous);
+    const TimeMap map = time_map(job, steady_plan(job), 4, 2);
+    ASSERT_EQ(map.rows, 2U);
+    ASSERT_EQ(map.columns, 4U);
+    for (std::size_t i = 0; i < map.way_ms.size(); ++i) {
+        EXPECT_FLOAT_EQ(map.way_ms[i], i % 2 == 0 ? 1.5F : 3.5F) << i;
+        EXPECT_EQ(map.bounds[i], i % 2 == 0 ? WayBound::r1 : WayBound::feed) << i;
+    }
+}
+
+TEST(TimeMap, BecomesPicturesWithTheHighestLayerFirst) {
+    TimeMap map{2,   2, {0.0F, 0.0F, 4.0F, 8.0F}, {WayBound::r1, WayBound::r2, WayBound::y, WayBound::psi},
+                4.0, {}};
+    const auto times = time_picture(map);
+    EXPECT_EQ(times, (std::vector<std::uint32_t>{0xFFFDE725U, 0xFFFDE725U, 0xFF440154U, 0xFF440154U}));
+    EXPECT_EQ(bound_picture(map, {9, 1, 2, 3, 4, 5}),
+              (std::vector<std::uint32_t>{0xFF000004U, 0xFF000003U, 0xFF000001U, 0xFF000002U}));
 }
 
 TEST(LayerRim, GoesOnceRoundWithBothHalves) {

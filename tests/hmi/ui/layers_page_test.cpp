@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QScopeGuard>
 #include <QSlider>
@@ -9,6 +10,7 @@
 #include <QTabWidget>
 
 #include "hmi/session/display_text.hpp"
+#include "hmi/ui/unrolled_view.hpp"
 #include "tests/hmi/ui/window_rig.hpp"
 #include "tests/places.hpp"
 
@@ -25,6 +27,8 @@ protected:
         ASSERT_TRUE(comes_true([&] { return layer().isEnabled(); }));
     }
     QSlider& layer() { return part<QSlider>("layer_slider"); }
+    const MapKey& key() { return static_cast<UnrolledView&>(part<QWidget>("layer_map")).key(); }
+    void show_map_of(int which) { part<QComboBox>("map_of").setCurrentIndex(which); }
     QSlider& point() { return part<QSlider>("point_slider"); }
     QCheckBox& follow() { return part<QCheckBox>("follow_machine"); }
     std::string text(const char* name) { return part<QLabel>(name).text().toStdString(); }
@@ -95,6 +99,14 @@ TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
     EXPECT_TRUE(text("layer_time").starts_with("at least ")) << text("layer_time");
     EXPECT_TRUE(text("layer_until").starts_with("at least ")) << text("layer_until");
     EXPECT_TRUE(layer().toolTip().contains("takes at least ")) << layer().toolTip().toStdString();
+    for (const int unknown : {1, 2}) {
+        show_map_of(unknown);
+        EXPECT_TRUE(key().low.startsWith("Not known: the job could not be planned"))
+            << key().low.toStdString();
+    }
+    show_map_of(0);
+    EXPECT_TRUE(key().low.endsWith(" mm")) << key().low.toStdString();
+    show_map_of(2);
 
     qputenv("PATH", QByteArray::fromStdString(in_build("bin:")) + path);
     ASSERT_NO_FATAL_FAILURE(open());
@@ -105,6 +117,21 @@ TEST_F(Layers, TakeAsLongAsPlannedOnceThatIsKnown) {
         << text("layer_time") << all_messages().toStdString();
     EXPECT_EQ(text("layer_time"), session::clock_text(planned()->layer_seconds[2]));
     EXPECT_FALSE(layer().toolTip().contains("at least")) << layer().toolTip().toStdString();
+
+    window_->refresh();
+    EXPECT_EQ(key().low, "") << "it is shown once it is known";
+    int percent = 0;
+    for (const auto& [colour, name] : key().kinds) {
+        ASSERT_TRUE(name.endsWith(" %")) << name.toStdString();
+        if (!name.contains('<')) percent += name.section(' ', 1, 1).toInt();
+    }
+    EXPECT_NEAR(percent, 100, 4) << "some are told as less than one";
+    take_picture("layers_bounds_light");
+    show_map_of(1);
+    EXPECT_TRUE(key().kinds.empty());
+    EXPECT_EQ(key().low, "0 ms");
+    EXPECT_TRUE(key().high.endsWith(" ms")) << key().high.toStdString();
+    take_picture("layers_times_light");
 }
 
 TEST_F(Layers, FollowTheMachineUntilAnotherPlaceIsChosen) {

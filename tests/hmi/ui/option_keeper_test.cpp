@@ -158,7 +158,7 @@ TEST_F(KeptOptions, AreAllButThoseThatBelongToOneModelRunOrMoment) {
         // Of one run, or of the machine's.
         "override", "rapid_override", "layer", "point", "test_output", "program_from_line",
         // Where one looks at the moment.
-        "layer_slider", "point_slider", "layer_number", "program_plane"};
+        "layer_slider", "point_slider", "layer_number", "map_of", "program_plane"};
     for (const char* const name : OptionKeeper::names()) expected.insert(name);
     const auto is_part_of_something = [](const QObject& field) {
         return field.objectName().startsWith("qt_") ||

@@ -144,15 +144,11 @@ INSTANTIATE_TEST_SUITE_P(All, SceneLabels,
 TEST(UnrolledLabels, HaveTheRoomThatTheWidestNeeds) {
     UnrolledView view;
     view.resize(600, 400);
-    session::RadiusMap map;
-    map.rows = map.columns = 2;
-    map.radius_mm.assign(4, 0.0F);
-    map.most_mm = 1.0;
-    view.show_map(map, 10'120.101, 10'120.109);
+    view.set_heights(10'120.101, 10'120.109);
     QFont small = view.font();
     small.setPixelSize(11);
     EXPECT_GE(view.map_area().left(), QFontMetricsF{small}.horizontalAdvance("10120.105 mm"));
-    view.show_map(map, 26.0, 26.0);
+    view.set_heights(26.0, 26.0);
     EXPECT_LE(view.height_marks().decimals, 3);
 }
 

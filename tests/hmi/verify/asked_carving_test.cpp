@@ -150,7 +150,7 @@ TEST(JudgedAsAsked, AsFarAsItWent) {
         machine.to_point(1, 1).to_point(1, 2).finish();
         auto sut = Verifier::make_for(job.view(), job.profile, {{}, true, true});
         ASSERT_TRUE(sut);
-        sut->begin(machine.start);
+        EXPECT_TRUE(sut->begin(machine.start).has_value());
         sut->feed(machine.events);
         const VerifyReport report = sut->finish();
         EXPECT_EQ(report.ok, !is_wrong) << report_text(report);
@@ -162,7 +162,7 @@ TEST(JudgedAsAsked, AsFarAsItWent) {
 VerifyReport judged_as(const SampleJob& job, const PerfectMachine& machine, const AskedCarving& asked) {
     auto sut = Verifier::make_for(job.view(), job.profile, asked);
     EXPECT_TRUE(sut);
-    sut->begin(machine.start);
+    EXPECT_TRUE(sut->begin(machine.start).has_value());
     sut->feed(machine.events);
     return sut->finish();
 }

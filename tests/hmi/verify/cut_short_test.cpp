@@ -19,7 +19,7 @@ VerifyReport judged(const SampleJob& job, const PerfectMachine& machine,
                     const AskedCarving& asked = kMayEndEarly) {
     auto sut = Verifier::make_for(job.view(), job.profile, asked);
     EXPECT_TRUE(sut);
-    sut->begin(machine.start);
+    EXPECT_TRUE(sut->begin(machine.start).has_value());
     sut->feed(machine.events);
     return sut->finish();
 }
@@ -121,6 +121,24 @@ TEST(CutShort, BehindACompleteCarvingItTakesNothingBack) {
             EXPECT_DOUBLE_EQ(report.carve_seconds, whole_s);
             EXPECT_NE(report_text(report).find("  carved in "), std::string::npos) << report_text(report);
         }
+    }
+}
+
+// Beside the line all along: no point but the first was reached, but it carved.
+TEST(CutShort, CarvedForAsLongAsItDidWhereNothingWasReached) {
+    const SampleJob job = cylinder();
+    PerfectMachine machine(job);
+    machine.approach().move(Axis::r1, 100).line({0, 0, 3200, 0});
+    machine.move(Axis::y, SampleJob::kLayerPulses).finish();
+    for (const std::uint32_t count : {1U, 2U}) {
+        const VerifyReport report = verified(job, machine, {0, count, {}});
+        EXPECT_FALSE(report.ok);
+        EXPECT_EQ(report.points_visited, 1U);
+        // One layer's end is missed with the second pulse of Y; of two, Y is on its way to the next one.
+        const int way_pulses = 100 + 3200 + (count == 1 ? 1 : 80);
+        EXPECT_DOUBLE_EQ(report.carve_seconds, (way_pulses - 1) * kEachPulse_s);
+        EXPECT_FALSE(report.is_complete);
+        EXPECT_NE(report_text(report).find("  carved for "), std::string::npos) << report_text(report);
     }
 }
 

@@ -98,6 +98,12 @@ PerfectMachine& PerfectMachine::define_positions(const Four& positions) {
     return wait(kIteration_ns);
 }
 
+PerfectMachine& PerfectMachine::begin_crossed() {
+    pushes_down_ = (1U << kAxisCount) - 1;
+    start.crossed_pulses = gap;
+    return *this;
+}
+
 void PerfectMachine::cross_gap(Axis axis, bool positive) {
     const auto bit = static_cast<unsigned>(1U << index_of(axis));
     if (((pushes_down_ & bit) == 0) == positive) return;
@@ -210,16 +216,19 @@ PerfectMachine& PerfectMachine::carve_job() {
 
 std::string as_vcd(const TraceStart& start, const std::vector<TraceEvent>& events) {
     const auto code = [](std::size_t signal) { return std::string(1, static_cast<char>('!' + signal)); };
-    const auto positions = [](const Four& pulses) {
-        std::string text = "$comment position_pulses";
+    const auto axes = [](const std::string& what, const Four& pulses) {
+        std::string text = "$comment " + what;
         for (const Axis axis : kAllAxes)
             text += " " + std::string(name_of(axis)) + "=" + std::to_string(pulses[index_of(axis)]);
         return text + " $end\n";
     };
+    const auto positions = [&](const Four& pulses) { return axes("position_pulses", pulses); };
     std::string text = "$timescale 1 ns $end\n$scope module psicarve $end\n";
     for (std::size_t s = 0; s < kSignalCount; ++s)
         text += "$var wire 1 " + code(s) + " " + std::string(name_of(static_cast<Signal>(s))) + " $end\n";
-    text += "$upscope $end\n$enddefinitions $end\n" + positions(start.position_pulses) + "#0\n$dumpvars\n";
+    text += "$upscope $end\n$enddefinitions $end\n" + positions(start.position_pulses);
+    if (start.crossed_pulses != Four{}) text += axes("crossed_pulses", start.crossed_pulses);
+    text += "#0\n$dumpvars\n";
     for (std::size_t s = 0; s < kSignalCount; ++s)
         text += std::to_string(start.initial_levels >> s & 1) + code(s) + "\n";
     text += "$end\n";
@@ -240,12 +249,15 @@ std::string as_vcd(const TraceStart& start, const std::vector<TraceEvent>& event
 std::string as_binary(const TraceStart& start, const std::vector<TraceEvent>& events) {
     TraceHeader header{};
     header.magic = kTraceMagic;
-    header.version = kTraceVersion;
+    const bool has_crossed = start.crossed_pulses != Four{};
+    header.version = has_crossed ? kCrossedTraceVersion : kTraceVersion;
     header.initial_levels = start.initial_levels;
     header.period_ns = start.period_ns;
     std::copy(start.position_pulses.begin(), start.position_pulses.end(), header.position_pulses);
     std::string bytes(sizeof header, '\0');
     std::memcpy(bytes.data(), &header, sizeof header);
+    if (has_crossed)
+        bytes.append(reinterpret_cast<const char*>(start.crossed_pulses.data()), sizeof start.crossed_pulses);
     const auto number = [&](std::uint64_t value) {
         std::array<std::uint8_t, kLeb128MaxBytes> room;
         const std::uint8_t* end = encode_leb128(room.data(), value);

@@ -60,6 +60,9 @@ public:
     PerfectMachine& wait(std::int64_t time_ns);
     PerfectMachine& define_positions(const std::array<std::int64_t, kAxisCount>& positions);
 
+    /// The motors stand beyond their gaps, as after a way down: call it first, with `gap` set.
+    PerfectMachine& begin_crossed();
+
     TraceStart start;
     std::vector<TraceEvent> events;
     std::array<std::int64_t, kAxisCount> position{};

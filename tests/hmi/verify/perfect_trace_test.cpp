@@ -68,6 +68,36 @@ TEST(PerfectTrace, WithBacklashTakenUpIsVerified) {
     EXPECT_FALSE(verified_with_gaps(Profile{}).ok);
 }
 
+TEST(PerfectTrace, ThatBeginsWithItsGapsCrossedIsVerifiedByWhatItsHeadSaysOfThem) {
+    Profile profile;
+    profile.r1.backlash_mm = 8.0 / 400.0;
+    profile.r2.backlash_mm = 12.0 / 400.0;
+    profile.psi.backlash_deg = 4.0 * 360.0 / 6400.0;
+    profile.y.backlash_mm = 20.0 / 400.0;
+    const SampleJob job(profile, 3, 41, Joining::zigzag,
+                        [](double angle, double) { return 8.0 + 0.3 * std::sin(3.0 * angle); });
+    PerfectMachine machine(job);
+    machine.gap = {8, 12, 4, 20};
+    machine.begin_crossed().carve_job();
+    const VerifyReport report = verified(job, machine);
+    EXPECT_TRUE(report.ok) << report_text(report);
+    EXPECT_EQ(report.max_deviation_pulses, 0);
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+        PerfectMachine lies = machine;
+        lies.start.crossed_pulses[k] -= 1;
+        EXPECT_FALSE(verified(job, lies).ok) << k;
+        lies.start.crossed_pulses[k] = 0;
+        EXPECT_FALSE(verified(job, lies).ok) << k;
+    }
+    PerfectMachine other = machine;
+    other.start.crossed_pulses[1] = 13;
+    const auto refused = Verifier::make(job.view(), profile).value().begin(other.start);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "r2 begins 13 pulses into its backlash, which is 12 by this profile: it is not of the machine "
+              "that was traced");
+}
+
 TEST(PerfectTrace, OfASingleLayerOfTwoPointsIsVerified) {
     const SampleJob job = wavy_job(Joining::continuous, 1, 2);
     PerfectMachine machine(job);
@@ -224,7 +254,7 @@ TEST(PerfectTrace, ComesOutAsTheWantedSurface) {
     machine.carve_job();
     auto sut = Verifier::make(job.view(), job.profile);
     ASSERT_TRUE(sut);
-    sut->begin(machine.start);
+    EXPECT_TRUE(sut->begin(machine.start).has_value());
     sut->feed(machine.events);
     sut->finish();
     // Layer 1 is carved in the second half turn: R1 faces directions 180 to 360 degrees there.

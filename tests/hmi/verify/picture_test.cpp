@@ -36,6 +36,7 @@ CarvedSurface surface_of(const SampleJob& job) {
 struct DecodedPng {
     unsigned width = 0;
     unsigned height = 0;
+    std::vector<png_byte> rgb;
 };
 DecodedPng decode(const std::vector<std::byte>& bytes) {
     png_image image{};
@@ -44,7 +45,7 @@ DecodedPng decode(const std::vector<std::byte>& bytes) {
     image.format = PNG_FORMAT_RGB;
     std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
     EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0) << image.message;
-    return {image.width, image.height};
+    return {image.width, image.height, std::move(pixels)};
 }
 
 /// A body round but for a nose towards one direction.
@@ -145,13 +146,88 @@ TEST(DeviationMap, OfACarvingThatWasCutShortLeavesTheRestWithoutColour) {
         return (pixel >> 16U & 0xFFU) > 200U && !((pixel & 0xFFU) < 180U);
     };
     const PixelImage whole = draw_deviation_map(surface, DeviationScale(1), 40, 4);
-    const PixelImage carved = draw_deviation_map(surface, DeviationScale(1), 40, 4, false);
+    const PixelImage carved = draw_deviation_map(surface, DeviationScale(1), 40, 4, MapShows::carved);
     EXPECT_GT(std::count_if(whole.argb.begin(), whole.argb.end(), is_red), 100);
     EXPECT_EQ(std::count_if(carved.argb.begin(), carved.argb.end(), is_red), 0);
     EXPECT_EQ(std::count_if(carved.argb.begin(), carved.argb.end(), is_pale), 40);
     // Of one colour, without relief, and darker than what is carved anywhere.
     EXPECT_EQ(std::count(carved.argb.begin(), carved.argb.end(), carved.argb.front()), 120);
     EXPECT_LT(carved.argb.front() & 0xFFU, 130U);
+}
+
+// Layers 1 and 2 of four, a point missed in the upper one; a tip came by the uppermost on its way out.
+TEST(DeviationMap, OfSomeLayersLeavesTheOthersWithoutColour) {
+    const SampleJob job = wavy_job(Joining::continuous, 4, 21);
+    const auto geometry = JobGeometry::make(job.view(), job.profile, {1, 2});
+    ASSERT_TRUE(geometry);
+    CarvedSurface surface(*geometry);
+    for (std::uint32_t layer = 1; layer < 3; ++layer) {
+        for (std::uint32_t d = 0; d < surface.direction_count(); ++d) {
+            if (layer == 1 || d != 7) surface.note_deviation(layer, d, 0);
+        }
+    }
+    surface.touch(3, 5, 7.0F);
+    EXPECT_FALSE(surface.is_carved(3, 5));
+    const PixelImage map = draw_deviation_map(surface, DeviationScale(surface.max_deviation_pulses()), 40, 4,
+                                              MapShows::asked_for);
+    const std::uint32_t grey = map.argb.front();
+    EXPECT_LT(grey & 0xFFU, 130U);
+    for (std::size_t x = 0; x < 40; ++x) {
+        EXPECT_EQ(map.argb[x], grey) << x;
+        EXPECT_EQ(map.argb[120 + x], grey) << x;
+        EXPECT_NE(map.argb[40 + x], grey) << x;
+        EXPECT_NE(map.argb[80 + x], grey) << x;
+        const bool is_red = (map.argb[40 + x] >> 16U & 0xFFU) > (map.argb[40 + x] & 0xFFU) + 40U;
+        EXPECT_EQ(is_red, x == 7) << "missed, " << x;
+    }
+}
+
+TEST(Picture, HasTheOtherLayersWithoutColourWhereSomeWereAskedFor) {
+    const SampleJob job = wavy_job(Joining::continuous, 4, 21);
+    PerfectMachine machine(job);
+    machine.approach(1).layer(1).link_to(2).layer(2).finish();
+    auto sut = Verifier::make(job.view(), job.profile, {1, 2});
+    ASSERT_TRUE(sut);
+    ASSERT_TRUE(sut->begin(machine.start));
+    sut->feed(machine.events);
+    const VerifyReport report = sut->finish();
+    ASSERT_TRUE(report.ok) << report_text(report);
+    PictureCaption caption = caption_of(job.view(), report);
+    EXPECT_TRUE(caption.is_of_part);
+    EXPECT_FALSE(caption.is_of_carved_alone);
+    EXPECT_EQ(verdict_of(caption), "verified on the pins");
+    const auto part = picture_png(sut->surface(), caption);
+    caption.is_of_part = false;
+    const auto whole = picture_png(sut->surface(), caption);
+    ASSERT_TRUE(part && whole);
+    const auto colour = [](const std::vector<std::byte>& png, unsigned x, unsigned y) {
+        const DecodedPng decoded = decode(png);
+        const png_byte* const at = decoded.rgb.data() + 3 * (std::size_t{y} * decoded.width + x);
+        return std::array<int, 3>{at[0], at[1], at[2]};
+    };
+    constexpr std::array<int, 3> kGrey{107, 112, 122};  // kUncarvedColour
+    for (const unsigned y : {110U, 450U}) {
+        EXPECT_EQ(colour(*part, 600, y), kGrey) << y;
+        EXPECT_GT(colour(*whole, 600, y)[0], colour(*whole, 600, y)[2] + 40) << "left on";
+    }
+    EXPECT_GT(colour(*part, 600, 280)[2], 180) << "as wanted";
+    EXPECT_EQ(colour(*part, 718, 478), kGrey) << "the key";
+    EXPECT_NE(colour(*whole, 718, 478), kGrey);
+}
+
+TEST(Picture, OfADryRunSaysThatItIsOne) {
+    const SampleJob job = wavy_job();
+    VerifyReport report;
+    report.ok = true;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "verified on the pins");
+    report.is_dry = true;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "dry run, verified on the pins");
+    report.ok = false;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "NOT verified");
+    report = {};
+    report.ok = true;
+    report.is_cut = true;
+    EXPECT_EQ(verdict_of(caption_of(job.view(), report)), "verified as far as it went");
 }
 
 TEST(Canvas, TakesAnyBytesForText) {

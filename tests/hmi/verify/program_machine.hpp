@@ -76,7 +76,7 @@ inline ProgramVerifyReport judged(const std::string& text, PlacedMachine& machin
     JudgedProgram program = judged_program(text, profile);
     program.override_ratio = override_ratio;
     ProgramVerifier sut{std::move(program), profile};
-    sut.begin(machine.pins().start);
+    EXPECT_TRUE(sut.begin(machine.pins().start).has_value());
     sut.feed(machine.pins().events);
     return sut.finish();
 }

@@ -109,6 +109,66 @@ TEST_F(TraceFile, PositionsThatNoMachineCountsAreRefused) {
     }
 }
 
+TEST_F(TraceFile, TellsHowMuchOfEachGapWasCrossedInBothForms) {
+    const SampleJob job = wavy_job();
+    TraceStart start = PerfectMachine(job).start;
+    EXPECT_EQ(read(as_binary(start, {})).start.crossed_pulses, (std::array<std::int64_t, kAxisCount>{}));
+    EXPECT_EQ(read(as_vcd(start, {})).start.crossed_pulses, (std::array<std::int64_t, kAxisCount>{}));
+    start.crossed_pulses = {0, 40, 0, 1};
+    const TraceEvent event{.time_ns = 150'000, .levels = 5};
+    for (const std::string& bytes : {as_binary(start, {event}), as_vcd(start, {event})}) {
+        const ReadTrace trace = read(bytes);
+        EXPECT_EQ(trace.error, "");
+        EXPECT_EQ(trace.start.crossed_pulses, start.crossed_pulses);
+        EXPECT_EQ(trace.start.position_pulses, start.position_pulses);
+        ASSERT_FALSE(trace.events.empty());
+        EXPECT_EQ(trace.events[0].levels, 5U);
+    }
+}
+
+TEST_F(TraceFile, GapsThatNoScrewCrossesAreRefusedByTheirByte) {
+    const SampleJob job = wavy_job();
+    for (const std::int64_t pulses :
+         {std::int64_t{-1}, std::numeric_limits<std::int64_t>::min(), kMostTracePosition_pulses + 1,
+          std::numeric_limits<std::int64_t>::max()}) {
+        TraceStart start = PerfectMachine(job).start;
+        start.crossed_pulses[3] = pulses;
+        EXPECT_THAT(read(as_binary(start, {})).error,
+                    HasSubstr("byte 64: a gap crossed by less than nothing or beyond all bounds"))
+            << pulses;
+        EXPECT_THAT(read(as_vcd(start, {})).error, HasSubstr("crossed_pulses are not four counts from 0 on"))
+            << pulses;
+    }
+}
+
+TEST_F(TraceFile, AHeadThatEndsWithinItsGapsIsRefused) {
+    const SampleJob job = wavy_job();
+    TraceStart start = PerfectMachine(job).start;
+    start.crossed_pulses[0] = 3;
+    const std::string bytes = as_binary(start, {});
+    for (const std::size_t length : {64U, 71U, 95U}) {
+        EXPECT_THAT(read(bytes.substr(0, length)).error,
+                    HasSubstr("byte " + std::to_string(length) + ": the trace is cut off inside its header"));
+    }
+}
+
+TEST_F(TraceFile, ADamagedCommentOfGapsIsRefusedAndALaterOneIsAComment) {
+    const SampleJob job = wavy_job();
+    TraceStart start = PerfectMachine(job).start;
+    start.crossed_pulses = {1, 2, 3, 4};
+    const std::string good = as_vcd(start, {});
+    for (const std::string damaged : {"r1=1 r2=2 psi=3", "r1=1 r2=2 psi=3 y=", "r1=1 r2=2 psi=3 y=4 z=5",
+                                      "r1 r2=2 psi=3 y=4", "r1=1.5 r2=2 psi=3 y=4", ""}) {
+        std::string text = good;
+        const std::string whole = "r1=1 r2=2 psi=3 y=4";
+        text.replace(text.rfind(whole), whole.size(), damaged);
+        EXPECT_THAT(read(text).error, HasSubstr("crossed_pulses are not four")) << damaged;
+    }
+    const ReadTrace later = read(good + "#9\n1!\n$comment crossed_pulses r1=-7 $end\n");
+    EXPECT_EQ(later.error, "");
+    EXPECT_EQ(later.start.crossed_pulses, start.crossed_pulses);
+}
+
 TEST_F(TraceFile, WhatTheLastEventSaysDoesNotHangOnTheRoomItIsGiven) {
     const SampleJob job = wavy_job();
     TraceEvent position{.kind = TraceEvent::Kind::position};

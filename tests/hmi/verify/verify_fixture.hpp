@@ -12,7 +12,7 @@ inline VerifyReport verified(const SampleJob& job, const PerfectMachine& machine
                              const LayerRange& layers = {}) {
     auto sut = Verifier::make(job.view(), job.profile, layers);
     EXPECT_TRUE(sut) << (sut ? "" : sut.error().message);
-    sut->begin(machine.start);
+    EXPECT_TRUE(sut->begin(machine.start).has_value());
     sut->feed(machine.events);
     return sut->finish();
 }

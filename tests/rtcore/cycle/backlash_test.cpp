@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 #include <random>
+#include <string>
 
 #include "rtcore/cycle/layer_range.hpp"
+#include "rtcore/trace/trace_entry.hpp"
+#include "shared/machine/recording_form.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/cycle/move_requests.hpp"
 
@@ -113,6 +117,87 @@ TEST(Backlash, AJogThatIsLetGoInTheGapLosesNothing) {
         ASSERT_TRUE(sut.run_until(MachineState::ready));
         EXPECT_EQ(errors(sut), Positions{}) << ticks;
     }
+}
+
+/// What a recording's begin tells of the gaps, and what is true of the machine.
+void expect_true_gaps(MachineRig& rig, const std::string& when) {
+    const auto ring = std::make_unique<trace::TraceRing>();
+    rig.io->trace = ring.get();
+    Request request{};
+    request.kind = RequestKind::record;
+    request.value = static_cast<std::uint64_t>(RecordingForm::binary);
+    request.lease_token = kToken;
+    ASSERT_EQ(rig.ask(request), Refusal::none) << when;
+    trace::TraceEntry begin{};
+    ASSERT_TRUE(ring->pop_into(begin)) << when;
+    ASSERT_EQ(begin.kind, trace::TraceEntry::Kind::begin_binary) << when;
+    const sim::SimReport report = rig.machine->report();
+    for (const Axis axis : kAllAxes) {
+        const sim::AxisReport& at = report.axis(axis);
+        EXPECT_EQ(begin.crossed_pulses[index_of(axis)], at.position_pulses - at.motor_pulses)
+            << when << ": " << name_of(axis);
+    }
+    request.value = static_cast<std::uint64_t>(RecordingForm::none);
+    ASSERT_EQ(rig.ask(request), Refusal::none) << when;
+    rig.io->trace = nullptr;
+}
+
+TEST(Backlash, ARecordingTellsAtItsBeginWhereTheMotorsStandInTheirGaps) {
+    MachineRig sut(with_backlash());
+    sut.io->traces_always = false;
+    expect_true_gaps(sut, "before homing");
+    ASSERT_TRUE(sut.home());
+    expect_true_gaps(sut, "homed");
+    for (const std::int64_t r1 : {3000, 5000, 4000}) {
+        ASSERT_EQ(sut.ask(move_request(
+                      {{Axis::r1, r1}, {Axis::r2, 9000 - r1}, {Axis::psi, r1 / 2}, {Axis::y, 8000 - r1}})),
+                  Refusal::none);
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        expect_true_gaps(sut, "moved to " + std::to_string(r1));
+    }
+    ASSERT_EQ(sut.ask(jog_request(Axis::y, 300)), Refusal::none);
+    sut.run(100);
+    sut.emergency_stop();
+    ASSERT_TRUE(sut.run_until(MachineState::alarm));
+    ASSERT_EQ(sut.ask(RequestKind::reset_alarm), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::off));
+    expect_true_gaps(sut, "after an alarm");
+}
+
+TEST(Backlash, ARecordingTellsAGapThatAStopLeftHalfCrossed) {
+    int partly = 0;
+    for (std::uint64_t ticks = 5; ticks < 600; ticks += 45) {
+        MachineRig sut(with_backlash());
+        sut.io->traces_always = false;
+        ASSERT_TRUE(sut.home());
+        sut.ask(jog_request(Axis::y, 1000));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        ASSERT_EQ(sut.ask(jog_on_request(Axis::y, false, 300.0, 100'000)), Refusal::none);
+        sut.run(ticks);
+        sut.io->urgent.jog_lease.store(jog_lease_word(kToken, 0));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        const std::int64_t crossed = sut.cycle->pulses().crossed_pulses()[index_of(Axis::y)];
+        partly += crossed > 0 && crossed < kGaps[index_of(Axis::y)] ? 1 : 0;
+        expect_true_gaps(sut, "let go after " + std::to_string(ticks));
+    }
+    EXPECT_GE(partly, 3);
+}
+
+TEST(Backlash, ARecordingTellsTheGapsBehindACarvingAndAPartOfOne) {
+    MachineRig sut(with_backlash());
+    sut.io->traces_always = false;
+    const JobTable job = random_job(3, 10, 5, Joining::zigzag);
+    ASSERT_TRUE(sut.prepare(job));
+    ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    expect_true_gaps(sut, "carved");
+    ASSERT_EQ(sut.ask(RequestKind::start), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::waiting));
+    ASSERT_EQ(sut.ask(RequestKind::start_interpolation), Refusal::none);
+    sut.run(5000);
+    sut.stop();
+    ASSERT_TRUE(sut.run_until(MachineState::ready));
+    expect_true_gaps(sut, "stopped");
 }
 
 /// Carves from where the heads wait, point `next` of the job; the largest error of any tip at any point.

@@ -11,6 +11,7 @@ namespace {
 
 using Kind = trace::TraceEntry::Kind;
 constexpr PinTracer::Positions kPositions{1, 2, 3, 4};
+constexpr PinTracer::Positions kCrossed{0, 7, 0, 3};
 constexpr std::uint32_t kToken = 77;
 
 struct TracerRig {
@@ -69,12 +70,13 @@ TEST(PinTracer, TellsNothingUntilARecordingBegins) {
     rig.sut.trace_job(0b1, 1, kPositions, 5);
     EXPECT_FALSE(rig.next().has_value());
     ASSERT_TRUE(rig.sut.can_record());
-    rig.sut.begin_recording(RecordingForm::vcd, kToken, 0b1, 2, kPositions);
+    rig.sut.begin_recording(RecordingForm::vcd, kToken, 0b1, 2, {kPositions, kCrossed});
     const auto begin = rig.next().value();
     EXPECT_EQ(begin.kind, Kind::begin_vcd);
     EXPECT_EQ(begin.token, kToken);
     EXPECT_EQ(begin.levels, 0b1U);
     EXPECT_EQ(begin.position_pulses, kPositions);
+    EXPECT_EQ(begin.crossed_pulses, kCrossed);
     rig.sut.trace_change(0b1, 3);
     EXPECT_FALSE(rig.next().has_value()) << "the begin told these levels";
     rig.sut.trace_change(0b10, 4);
@@ -83,7 +85,7 @@ TEST(PinTracer, TellsNothingUntilARecordingBegins) {
 
 TEST(PinTracer, RecordsForOneAtATimeUntilThatOneEndsIt) {
     TracerRig rig(false);
-    rig.sut.begin_recording(RecordingForm::binary, kToken, 0, 1, kPositions);
+    rig.sut.begin_recording(RecordingForm::binary, kToken, 0, 1, {kPositions, {}});
     EXPECT_EQ(rig.next().value().kind, Kind::begin_binary);
     EXPECT_FALSE(rig.sut.can_record());
     EXPECT_FALSE(rig.sut.end_recording(kToken + 1, 0, 2, kPositions));
@@ -95,7 +97,7 @@ TEST(PinTracer, RecordsForOneAtATimeUntilThatOneEndsIt) {
     EXPECT_FALSE(rig.sut.is_on());
     EXPECT_TRUE(rig.sut.end_recording(kToken, 0b1, 4, kPositions)) << "none goes on";
     EXPECT_FALSE(rig.next().has_value());
-    rig.sut.begin_recording(RecordingForm::binary, kToken, 0, 5, kPositions);
+    rig.sut.begin_recording(RecordingForm::binary, kToken, 0, 5, {kPositions, {}});
     EXPECT_TRUE(rig.sut.end_recording(0, 0, 6, kPositions)) << "whoever's it is";
     EXPECT_TRUE(rig.sut.can_record());
 }

@@ -59,5 +59,19 @@ TEST(Tips, KeepTheirGapWhenTheirPositionIsDefinedAnew) {
     EXPECT_EQ(sut.positions()[0], 0);
 }
 
+TEST(Tips, TellHowMuchOfEachGapIsCrossedDownwards) {
+    Tips sut = tips_with_gap(3);
+    EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{}));
+    sut.count_pulse(1, false);
+    sut.count_pulse(1, false);
+    EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{0, 2, 0, 0}));
+    for (int n = 0; n < 9; ++n) sut.count_pulse(1, false);
+    EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{0, 3, 0, 0}));
+    for (std::size_t k = 0; k < kAxisCount; ++k) sut.rest_against(k, true);
+    EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{}));
+    for (std::size_t k = 0; k < kAxisCount; ++k) sut.rest_against(k, false);
+    EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{0, 3, 0, 0}));
+}
+
 }  // namespace
 }  // namespace psicarve::cycle

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "rtcore/plan/carving.hpp"
+#include "tests/rtcore/plan/estimated_jobs.hpp"
 #include "tests/shared/spiral_fixture.hpp"
 #include "tests/thoroughness.hpp"
 
@@ -23,49 +24,12 @@ namespace {
 // So long nothing takes that ends at all.
 constexpr std::chrono::seconds kPatience{120};
 
-struct OwnedJob {
-    std::vector<std::byte> blob;
-    JobView view;
-};
-
-std::shared_ptr<const JobView> owned(const JobTable& table) {
-    auto job = std::make_shared<OwnedJob>();
-    job->blob = job_blob_from_table(table);
-    job->view = JobView::check(job->blob).value();
-    return {job, &job->view};
-}
-
-/// Rougher from layer to layer: each takes longer than the one below.
-JobTable rougher_and_rougher(std::uint32_t layers) {
-    JobTable table;
-    table.layer_count = layers;
-    table.point_count = 60;
-    table.psi_sweep_pulses = 3200;
-    table.feed_mm_s = 20.0;
-    table.profile_toml = profile_to_toml(Profile{});
-    for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        table.layer_height_pulses.push_back(100 + 50 * layer);
-        for (std::uint32_t point = 0; point < table.point_count; ++point) {
-            const auto wave = static_cast<std::int32_t>(point % 2 * 10 * layer);
-            table.r_left_pulses.push_back(5000 + wave);
-            table.r_right_pulses.push_back(5300 - wave);
-        }
-    }
-    return table;
-}
-
 double planned_seconds(const Profile& profile, const std::shared_ptr<const JobView>& job, LayerSpan layers) {
     const auto program = carving_of(machine_limits(profile), job, layers);
     cycle::MotionBlock block{};
     while (program->next(block)) {
     }
     return program->planned().seconds;
-}
-
-Profile by_angle() {
-    Profile profile;
-    profile.job.planner = psicarve::Planner::angle;
-    return profile;
 }
 
 TEST(JobEstimate, CountsPointsEvenlyBetweenItsMarks) {

@@ -112,6 +112,21 @@ TEST_F(BinaryWriterTest, WritesTheBytesThatTheFormatSays) {
                                             14));
 }
 
+TEST_F(BinaryWriterTest, TellsCrossedGapsBehindItsHeadAndIsOfAVersionOfItsOwnThen) {
+    const std::string file = path("crossed.pct");
+    {
+        auto sut = open_trace(file, {.period_ns = 50'000, .crossed_pulses = {0, 40, 0, 1}}).value();
+        sut->add(pins(3, 1));
+        sut->finish(4);
+    }
+    const std::string bytes = content(file);
+    ASSERT_EQ(bytes.size(), 64U + 32 + 2 + 1);
+    EXPECT_EQ(bytes.substr(8, 4), std::string("\x03\0\0\0", 4));
+    EXPECT_EQ(bytes.substr(64, 16), std::string("\0\0\0\0\0\0\0\0\x28\0\0\0\0\0\0\0", 16));
+    EXPECT_EQ(bytes.substr(80, 16), std::string("\0\0\0\0\0\0\0\0\x01\0\0\0\0\0\0\0", 16));
+    EXPECT_EQ(bytes.substr(96), "\x0C\x01\x07");
+}
+
 TEST_F(BinaryWriterTest, StoryComesBackWhole) {
     const std::string file = path("story.bin");
     std::vector<TraceEntry> written;

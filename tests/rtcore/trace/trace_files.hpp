@@ -41,7 +41,8 @@ inline TraceEntry pins(std::uint64_t tick, SignalWord levels, std::uint32_t offs
             .kind = TraceEntry::Kind::pins,
             .offset_ns = offset_ns,
             .token = 0,
-            .position_pulses = {}};
+            .position_pulses = {},
+            .crossed_pulses = {}};
 }
 inline TraceEntry position(std::uint64_t tick, std::array<std::int64_t, kAxisCount> pulses) {
     return {.tick = tick,
@@ -49,7 +50,8 @@ inline TraceEntry position(std::uint64_t tick, std::array<std::int64_t, kAxisCou
             .kind = TraceEntry::Kind::position,
             .offset_ns = 0,
             .token = 0,
-            .position_pulses = pulses};
+            .position_pulses = pulses,
+            .crossed_pulses = {}};
 }
 
 /// A short life of a machine: drives on, a pulse each way, homing, pulses with an offset, an input, the end.

@@ -55,6 +55,20 @@ TEST_F(VcdWriterTest, SaysPositionsAgainOnlyWhenTheyDifferFromThePulses) {
     EXPECT_EQ(text.find("#40000"), std::string::npos);
 }
 
+TEST_F(VcdWriterTest, TellsCrossedGapsBesideThePositionsOnlyWhereThereAreSome) {
+    { open_trace(path("none.vcd"), {.period_ns = 10'000}).value()->finish(1); }
+    EXPECT_EQ(content(path("none.vcd")).find("crossed"), std::string::npos);
+    {
+        open_trace(path("some.vcd"), {.period_ns = 10'000, .crossed_pulses = {0, 40, 0, 1}})
+            .value()
+            ->finish(1);
+    }
+    EXPECT_NE(content(path("some.vcd"))
+                  .find("$comment position_pulses r1=0 r2=0 psi=0 y=0 $end\n"
+                        "$comment crossed_pulses r1=0 r2=40 psi=0 y=1 $end\n$enddefinitions $end\n"),
+              std::string::npos);
+}
+
 TEST_F(VcdWriterTest, TimesNeverRepeat) {
     const std::string file = path("times.vcd");
     {

@@ -165,7 +165,8 @@ TEST_F(RecordRulesTest, WhatIsNotKnownIsRefused) {
     expect_unknown(good_, [](MotionRecord& r) { r.code = 1; });
     expect_unknown(of_kind(MotionKind::spindle, 2), [](MotionRecord&) {});
     expect_unknown(of_kind(MotionKind::stop, 0), [](MotionRecord&) {});
-    expect_unknown(of_kind(MotionKind::stop, 4), [](MotionRecord&) {});
+    expect_unknown(of_kind(MotionKind::stop, 6), [](MotionRecord&) {});
+    expect_unknown(of_kind(MotionKind::stop, 255), [](MotionRecord&) {});
     expect_unknown(of_kind(MotionKind::dwell, 1), [](MotionRecord&) {});
     expect_unknown(of_kind(MotionKind::end, 1), [](MotionRecord&) {});
     expect_unknown(of_kind(MotionKind::end), [](MotionRecord& r) { r.axes = 1; });
@@ -173,6 +174,12 @@ TEST_F(RecordRulesTest, WhatIsNotKnownIsRefused) {
     MotionRecord without_line = good_;
     without_line.line = 0;
     EXPECT_EQ(judge(without_line), MessageId::program_record_unknown);
+}
+
+TEST_F(RecordRulesTest, EachReasonToStopIsTaken) {
+    for (const StopReason reason : {StopReason::program, StopReason::optional, StopReason::tool_change,
+                                    StopReason::optional_at_rest, StopReason::optional_on_way})
+        EXPECT_EQ(judge(of_kind(MotionKind::stop, static_cast<std::uint8_t>(reason))), MessageId::none);
 }
 
 TEST_F(RecordRulesTest, NumbersThatAreNoneAreRefused) {

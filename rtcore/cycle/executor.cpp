@@ -12,8 +12,7 @@ void Executor::reset(std::uint32_t epoch) noexcept {
     in_motion_ = false;
     has_line_ended_ = false;
     starts_again_ = false;
-    line_stop_.forget();
-    pace_.unbound();
+    forget_stops();
     go_on();
     still_axes_ = 0;
     pulses_->forget_waiting();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "rtcore/cycle/block_feed.hpp"
 #include "rtcore/cycle/cycle_config.hpp"
@@ -146,6 +148,10 @@ private:
     void turn_for_segment(std::uint64_t tick) noexcept;
     void turn_idle_axes(std::uint64_t tick) noexcept;
     // executor_halts.cpp: rests at the ends of a program's lines, or at its optional stops
+    bool is_wanted(const LineStop& stop) const noexcept { return (stop.mark() & wanted_marks_) != 0; }
+    bool is_stop_at_hand() const noexcept;
+    std::optional<LineStop::Bounds> stop_bounds() const noexcept;
+    void forget_stops() noexcept;
     bool is_halt_wanted() noexcept;
     bool rested_at_mark() noexcept;
     void look_for_line_end() noexcept;
@@ -166,8 +172,9 @@ private:
     LinearProfile profile_;  ///< lines
     PathPace pace_;          ///< path segments
     FineMove fine_;          ///< moves
-    LineStop line_stop_;     ///< path segments, line by line
-    TakeUp take_up_;         ///< is on: the block at hand has not begun, its axes cross their gaps first
+    /// Path segments: of the ends of lines and of optional stops, each by itself.
+    std::array<LineStop, 2> line_stops_{LineStop{kEndsLine}, LineStop{kOptionalStop}};
+    TakeUp take_up_;  ///< is on: the block at hand has not begun, its axes cross their gaps first
 
     double feed_ratio_ = 1.0;
     double rapid_ratio_ = 1.0;

@@ -15,7 +15,7 @@ Executor::Progress Executor::begin_path(std::uint64_t tick) noexcept {
     pace_.cap(feed_.goes_on() && !feed_.has_next_group());
     if (wanted_marks_ != 0) look_at_rest();
     bound_segment();
-    if (feed_.carries_on() || line_stop_.holds(feed_.number())) {
+    if (feed_.carries_on() || is_stop_at_hand()) {
         pace_.start_again(block().path, iterations_.left());
     } else {
         pace_.start(block().path, iterations_.left());

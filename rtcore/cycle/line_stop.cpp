@@ -52,7 +52,7 @@ bool LineStop::seek_one(const BlockFeed& feed) noexcept {
         state_ = State::none;
         return true;
     }
-    if ((block->marks & marks_) == 0 || cursor_ < nearest_) return step_forward(feed);
+    if ((block->marks & mark_) == 0 || cursor_ < nearest_) return step_forward(feed);
     state_ = State::braking;
     end_ = cursor_;
     const double jump = double{block->path.start_stop_speed};

@@ -10,8 +10,8 @@
 
 namespace psicarve::cycle {
 
-/// Where a program can come to rest without leaving its curve: at the next block with a wanted mark, as the
-/// end of a line, that a brake from here reaches. Looks at a few queued blocks a tick, so that a tick stays
+/// Where a program can come to rest without leaving its curve: at the next block with its mark, as the end of
+/// a line, that a brake from here reaches. Looks at a few queued blocks a tick, so that a tick stays
 /// short:
 ///
 ///     (du/dt)^2  ~~~~~~~~~~~~~.           plan at 200 %           first it seeks the next end of a line,
@@ -32,12 +32,10 @@ public:
     /// At rest, so that a short line is not over before its end is found.
     static constexpr int kBlocksAtRest = 64;
 
+    explicit LineStop(std::uint8_t mark = kEndsLine) noexcept : mark_(mark) {}
+
+    std::uint8_t mark() const noexcept { return mark_; }
     void forget() noexcept { state_ = State::idle; }
-    /// Blocks with one of these marks are sought from now on.
-    void want(std::uint8_t marks) noexcept {
-        marks_ = marks;
-        forget();
-    }
     /// From the block at hand on.
     void seek(const BlockFeed& feed) noexcept;
     /// Not there: it is too fast by now. One is sought that is half as far again: a look goes over all blocks
@@ -79,8 +77,8 @@ private:
     bool brake_one(const BlockFeed& feed) noexcept;
     bool step_forward(const BlockFeed& feed) noexcept;
 
+    std::uint8_t mark_;
     State state_ = State::idle;
-    std::uint8_t marks_ = kEndsLine;
     std::uint64_t cursor_ = 0;   ///< the block to be looked at next
     std::uint64_t end_ = 0;      ///< with which the line ends
     std::uint64_t nearest_ = 0;  ///< ends before it are not looked at

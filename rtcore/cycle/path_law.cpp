@@ -101,10 +101,15 @@ bool PathLaw::bound_now(double begin2, double end2) noexcept {
     const double share = way_ / limits_.timing().length;
     const double speed_now = speed() / limits_.period_s();
     if (speed_now * speed_now > begin2 + share * (end2 - begin2)) return false;
-    bound(begin2, end2);
+    bound(is_bound_ ? std::min(begin2, bounds2_[0]) : begin2, is_bound_ ? std::min(end2, bounds2_[1]) : end2);
     bound_target();
     if (!is_resting_) restart();
     return true;
+}
+
+void PathLaw::loosen_bounds(double begin2, double end2) noexcept {
+    bound(begin2, end2);
+    loosen();
 }
 
 void PathLaw::unbound() noexcept {

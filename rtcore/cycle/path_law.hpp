@@ -47,8 +47,11 @@ public:
     /// Called before a segment is entered: there (du/dt)^2 stays below what lies between these. The one
     /// before it allows no less at its end than this at its begin.
     void bound(double begin2, double end2) noexcept;
-    /// The same in the segment at hand, from now on. False, and nothing is done: it is too fast already.
+    /// The same in the segment at hand, from now on, besides bounds that it has. False, and nothing is done:
+    /// it is too fast already.
     bool bound_now(double begin2, double end2) noexcept;
+    /// In the segment at hand, from now on: requires that they allow no less than those that it has.
+    void loosen_bounds(double begin2, double end2) noexcept;
     /// From now on, or from the next segment on, there are no such bounds.
     void unbound() noexcept;
 

@@ -66,6 +66,7 @@ public:
     /// Of the next segment, of that at hand, and none any more, as PathLaw has them.
     void bound(double begin2, double end2) noexcept { law_.bound(begin2, end2); }
     bool bound_now(double begin2, double end2) noexcept { return law_.bound_now(begin2, end2); }
+    void loosen_bounds(double begin2, double end2) noexcept { law_.loosen_bounds(begin2, end2); }
     void unbound() noexcept { law_.unbound(); }
 
 private:

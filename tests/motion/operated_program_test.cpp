@@ -220,7 +220,7 @@ TEST(SingleBlock, RestsWhereEachLineEnds) {
         const Outcome plain = with_overrides(blocks, 1.0, 1.0);
         EXPECT_TRUE(plain.rests.empty());
         const Outcome single = Machine(blocks).run([](cycle::PathRig& rig) {
-            if (rig.now == 0) rig.executor.set_line_by_line(true);
+            if (rig.now == 0) rig.executor.rest_behind(cycle::kEndsLine);
         });
         std::vector<std::uint64_t> lines(15);
         for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = i + 1;
@@ -243,7 +243,7 @@ TEST(SingleBlock, AsksNoMotorForTooMuchWheneverItIsSwitched) {
         const Outcome switched = Machine(blocks).run([&](cycle::PathRig& rig) {
             if (rig.now < next_tick) return;
             next_tick = rig.now + 1 + random() % 1500;
-            rig.executor.set_line_by_line(random() % 2 == 0);
+            rig.executor.rest_behind(random() % 2 == 0 ? cycle::kEndsLine : 0);
             if (random() % 8 == 0) return rig.executor.slow_down();
             rig.executor.set_feed_ratio(static_cast<double>(10 + random() % 191) / 100.0);
             rig.executor.set_rapid_ratio(static_cast<double>(10 + random() % 91) / 100.0);

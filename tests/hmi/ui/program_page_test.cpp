@@ -119,7 +119,8 @@ TEST_F(ProgramPageOf, RunsAProgramToItsEndAndFollowsItsLine) {
         state_of_page().startsWith("The program runs. Line 100: a stop of the program (M0); Resume goes on"))
         << state_of_page().toStdString();
     EXPECT_EQ(button("program_start").toolTip(), "Start: another program runs; stop it first");
-    EXPECT_FALSE(button("program_optional").isEnabled());
+    EXPECT_TRUE(button("program_optional").isEnabled());
+    EXPECT_FALSE(button("program_delete").isEnabled());
     take_picture("program_running_light");
     part<QAbstractButton>("program_follow").click();
     text_view().go_to(1);

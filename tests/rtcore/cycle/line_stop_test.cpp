@@ -20,7 +20,7 @@ protected:
     }
     static MotionBlock block(double speed, bool ends_line = false) {
         MotionBlock made = path_block({0, 0, 4, 0}, 1.0, speed, speed);
-        made.marks = ends_line ? 1 : 0;
+        made.marks = ends_line ? kEndsLine : 0;
         return made;
     }
     /// Looks until it finds an end, or for long.
@@ -38,7 +38,7 @@ protected:
 // x = 2as: at 1e-4 u/tick^2 from 0.2 u/tick in 200 segments of 1, at 97 %.
 TEST_F(LineStopOf, BoundsWhatABrakeFromThePlanGoesThrough) {
     std::vector<MotionBlock> run(300, block(0.1));
-    run[250].marks = 1;
+    run[250].marks = kEndsLine;
     queue(run);
     ASSERT_TRUE(finds());
     const std::uint64_t first = feed_.number();
@@ -56,8 +56,8 @@ TEST_F(LineStopOf, BoundsWhatABrakeFromThePlanGoesThrough) {
 
 TEST_F(LineStopOf, FindsTheNextEndWhereThatIsTooNear) {
     std::vector<MotionBlock> run(300, block(0.1));
-    run[10].marks = 1;
-    run[280].marks = 1;
+    run[10].marks = kEndsLine;
+    run[280].marks = kEndsLine;
     queue(run);
     ASSERT_TRUE(finds());
     EXPECT_TRUE(sut_->ends_at(feed_.number() + 10));
@@ -71,7 +71,7 @@ TEST_F(LineStopOf, FindsTheNextEndWhereThatIsTooNear) {
 // further would be passed before it is known.
 TEST_F(LineStopOf, CatchesUpWithAnEndHoweverShortTheLinesAre) {
     std::vector<MotionBlock> run(2000, block(0.1));
-    for (std::size_t i = 2; i < run.size(); i += 3) run[i].marks = 1;
+    for (std::size_t i = 2; i < run.size(); i += 3) run[i].marks = kEndsLine;
     queue(run);
     const double fastest2 = 0.2 * 0.2 / (kPathTick_s * kPathTick_s);
     const std::uint64_t first = feed_.number();
@@ -89,7 +89,7 @@ TEST_F(LineStopOf, CatchesUpWithAnEndHoweverShortTheLinesAre) {
 
 TEST_F(LineStopOf, LeavesTheEndOfARunToItsOwnRest) {
     std::vector<MotionBlock> run(20, block(0.1));
-    run.back().marks = 1;
+    run.back().marks = kEndsLine;
     queue(run);
     EXPECT_FALSE(finds());
     EXPECT_FALSE(sut_->holds(feed_.number()));
@@ -97,7 +97,7 @@ TEST_F(LineStopOf, LeavesTheEndOfARunToItsOwnRest) {
 
 TEST_F(LineStopOf, LooksAtFewBlocksATick) {
     std::vector<MotionBlock> run(200, block(0.1));
-    run[100].marks = 1;
+    run[100].marks = kEndsLine;
     queue(run);
     int ticks = 1;
     while (!sut_->look(feed_, LineStop::kBlocksPerTick)) ++ticks;

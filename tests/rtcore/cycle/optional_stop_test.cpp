@@ -158,5 +158,112 @@ TEST(OptionalStop, RestsOnceOnTheCurveForItAndForSingleBlock) {
                                             {8, kSingleHold}}));
 }
 
+/// Six ways under G64, each of many ticks; behind the second and the fifth, in lines 3 and 7, M1.
+Script long_curve(const Positions& from) {
+    Script script{from};
+    for (int i = 0; i < 6; ++i) {
+        script.way({i % 2 == 0 ? 200 : -200, 0, 900, 300}, 0.01, 0.0);
+        if (i == 1 || i == 4) script.stop(StopReason::optional_on_way);
+    }
+    script.end();
+    return script;
+}
+
+const Holds kBothStops{{2, ProgramHold::optional}, {6, ProgramHold::optional}};
+
+/// Runs that curve with these switches once for each of some 60 instants up to its first rest, at which
+/// `disturb` is done, and gives what held each of them.
+template <typename Disturb>
+std::vector<Holds> disturbed_runs(std::uint32_t switches, std::uint32_t single, const Disturb& disturb) {
+    const auto begin = [&](ProgramRig& sut) {
+        sut.give(long_curve(sut.positions()).steps);
+        EXPECT_EQ(start_with(sut, switches), Refusal::none);
+        if (single != 0) {
+            EXPECT_EQ(sut.ask(RequestKind::single, 0, 1), Refusal::none);
+        }
+        return sut.cycle->next_tick();
+    };
+    ProgramRig first;
+    const std::uint64_t from = begin(first);
+    EXPECT_TRUE(first.run_until(MachineState::held));
+    const std::uint64_t ticks = first.cycle->next_tick() - from;
+    std::vector<Holds> runs;
+    for (std::uint64_t after = 1; after < ticks; after += ticks / 60) {
+        ProgramRig sut;
+        const Script script = long_curve(sut.positions());
+        (void)begin(sut);
+        sut.run(after);
+        disturb(sut);
+        runs.push_back(optional_holds(sut));
+        EXPECT_EQ(sut.positions(), script.at());
+    }
+    EXPECT_GE(runs.size(), 60U);
+    return runs;
+}
+
+TEST(OptionalStop, IsNotPassedBecauseSingleBlockIsTurned) {
+    for (const Holds& holds : disturbed_runs(kProgramStopsAtOptional, 0, [](ProgramRig& sut) {
+             EXPECT_EQ(sut.ask(RequestKind::single, 0, 1), Refusal::none);
+             EXPECT_EQ(sut.ask(RequestKind::single, 0, 0), Refusal::none);
+         }))
+        EXPECT_EQ(holds, kBothStops);
+}
+
+TEST(OptionalStop, HoldsOnceSingleBlockHasHeldBeforeIt) {
+    for (const Holds& holds : disturbed_runs(kProgramStopsAtOptional, 0, [](ProgramRig& sut) {
+             EXPECT_EQ(sut.ask(RequestKind::single, 0, 1), Refusal::none);
+         })) {
+        Holds optional;
+        for (const auto& hold : holds)
+            if (hold.second == ProgramHold::optional) optional.push_back(hold);
+        EXPECT_EQ(optional, kBothStops);
+        EXPECT_GE(holds.size(), 4U) << "lines 4, 5 and 8 hold in any case, but for those passed too fast";
+    }
+}
+
+TEST(OptionalStop, ThatIsTurnedLosesNoEndOfALineOfSingleBlock) {
+    for (const Holds& holds : disturbed_runs(0, 1, [](ProgramRig& sut) {
+             EXPECT_EQ(sut.ask(RequestKind::optional_stop, 0, 1), Refusal::none);
+             EXPECT_EQ(sut.ask(RequestKind::optional_stop, 0, 0), Refusal::none);
+         })) {
+        ASSERT_FALSE(holds.empty());
+        EXPECT_EQ(holds.front(), (std::pair{std::uint64_t{1}, ProgramHold::single}));
+    }
+}
+
+TEST(OptionalStop, IsNotPassedByOverridesAndHoldsOnTheWay) {
+    for (const Holds& holds : disturbed_runs(kProgramStopsAtOptional, 0, [](ProgramRig& sut) {
+             EXPECT_EQ(sut.ask(RequestKind::override, 0, 200), Refusal::none);
+             sut.run(50);
+             EXPECT_EQ(sut.ask(RequestKind::override, 0, 20), Refusal::none);
+         }))
+        EXPECT_EQ(holds, kBothStops);
+    for (Holds holds : disturbed_runs(kProgramStopsAtOptional, 0, [](ProgramRig& sut) {
+             EXPECT_EQ(sut.ask(RequestKind::hold), Refusal::none);
+         })) {
+        ASSERT_FALSE(holds.empty());
+        // A hold that comes to rest at the optional stop itself is told as what it was asked for.
+        if (holds.front().second != ProgramHold::optional) holds.erase(holds.begin());
+        EXPECT_TRUE(holds == kBothStops || holds == Holds{kBothStops.back()});
+    }
+}
+
+// It brakes for the far M1 in all of what is left, by its plan at twice the feed: ends of lines before it are
+// within reach.
+TEST(OptionalStop, ThatIsBrakedForHidesNoNearerEndOfALine) {
+    ProgramRig sut;
+    Script script{sut.positions()};
+    for (int i = 0; i < 400; ++i) script.way({0, 0, 3, 1}, 0.01, 0.0);
+    script.stop(StopReason::optional_on_way).way({0, 0, 40, 0}, 0.01, 0.0).end();
+    sut.give(script.steps);
+    ASSERT_EQ(start_with(sut, kProgramStopsAtOptional), Refusal::none);
+    ASSERT_EQ(sut.ask(RequestKind::override, 0, 40), Refusal::none);
+    ASSERT_TRUE(sut.run_while([&] { return sut.program().line < 385; }));
+    ASSERT_EQ(sut.ask(RequestKind::single, 0, 1), Refusal::none);
+    ASSERT_TRUE(sut.run_until(MachineState::held));
+    EXPECT_LE(sut.program().line, 395U);
+    EXPECT_EQ(sut.program().hold, ProgramHold::single);
+}
+
 }  // namespace
 }  // namespace psicarve::cycle

@@ -18,11 +18,8 @@ std::string line_text(const ProgramStatus& program) {
 }  // namespace
 
 void ProgramWatch::tell_hold(const ProgramReport& report) {
-    const ProgramHold hold = report.status.hold;
-    if (hold == told_hold_) return;
-    told_hold_ = hold;
-    // Every block: the bar tells.
-    if (hold == ProgramHold::none || hold == ProgramHold::single) return;
+    if (!told_hold_.is_new(report.status.hold, report.status.sequence)) return;
+    if (report.status.hold == ProgramHold::single) return;  // every block: the bar tells
     clear_progress_line();
     print_note(program_place_text(report));
 }

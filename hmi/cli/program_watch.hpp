@@ -14,6 +14,22 @@
 
 namespace psicarve::cli {
 
+/// Which holds are told: each once, also where several of a kind come one after the other.
+class ToldHold {
+public:
+    /// Whether the program is held as it was not when asked last.
+    bool is_new(ProgramHold hold, std::uint64_t sequence) noexcept {
+        const bool is_same = hold == hold_ && (hold == ProgramHold::none || sequence == sequence_);
+        hold_ = hold;
+        sequence_ = sequence;
+        return !is_same && hold != ProgramHold::none;
+    }
+
+private:
+    ProgramHold hold_ = ProgramHold::none;
+    std::uint64_t sequence_ = 0;  ///< of the motion record at hand
+};
+
 /// Watches a running program for the person at the terminal: shows the line, says why it holds, and passes
 /// Ctrl-C on to the core.
 class ProgramWatch {
@@ -43,7 +59,7 @@ private:
     ProgressBar bar_;
     std::uint64_t line_count_;
     std::function<void(const ProgramReport&)> follow_;
-    ProgramHold told_hold_ = ProgramHold::none;
+    ToldHold told_hold_;
     std::uint32_t most_override_percent_ = 0;
     bool was_held_ = false;
     const char* quiet_label_ = nullptr;  ///< null: holds are told

@@ -2,13 +2,7 @@
 // How page Program wants its program to be run.
 #include "hmi/ui/program_page.hpp"
 
-#include <QButtonGroup>
-#include <QDir>
 #include <QHBoxLayout>
-#include <QListWidget>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QResizeEvent>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -16,21 +10,10 @@
 #include <limits>
 #include <utility>
 
-#include "hmi/ui/action_button.hpp"
-#include "hmi/ui/approach_card.hpp"
-#include "hmi/ui/checked_width.hpp"
-#include "hmi/ui/dialogs.hpp"
-#include "hmi/ui/elided_label.hpp"
-#include "hmi/ui/file_filters.hpp"
 #include "hmi/ui/flow_layout.hpp"
 #include "hmi/ui/frames.hpp"
 #include "hmi/ui/lock_with.hpp"
-#include "hmi/ui/mdi_line.hpp"
-#include "hmi/ui/program_ground.hpp"
-#include "hmi/ui/program_path_view.hpp"
-#include "hmi/ui/program_text_view.hpp"
 #include "hmi/ui/rapid_override.hpp"
-#include "hmi/ui/settings.hpp"
 #include "hmi/ui/tick_box.hpp"
 #include "hmi/ui/words.hpp"
 

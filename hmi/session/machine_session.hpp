@@ -46,7 +46,8 @@ struct SessionOptions {
 
 /// The machine for a window: attaches whenever there is a segment, poll() reads it, orders go to it. No call
 /// waits for the core: a thread of its own sends orders, stop and emergency stop are one store. All calls
-/// come from one thread, the owner's.
+/// come from one thread, the owner's. Its members: parts, each for one question to the machine, and what of
+/// attaching and of orders under way is none of theirs.
 class MachineSession {
 public:
     MachineSession(SessionOptions options, MessageLog& log);

@@ -29,7 +29,8 @@
 namespace psicarve::session {
 
 /// The model or job that is open, and its way to the core. A thread of its own reads files, slices and
-/// publishes; results become messages. All calls come from one thread, the owner's.
+/// publishes; results become messages. All calls come from one thread, the owner's. Its members: parts, and
+/// the two refusals and the state that the window shows.
 class OpenJob {
 public:
     OpenJob(std::string segment_name, std::string group, MessageLog& log);

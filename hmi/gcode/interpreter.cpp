@@ -39,32 +39,31 @@ Interpreter::Interpreter(const InterpreterOptions& options, CanonSink& sink, Pro
       sink_(&sink),
       problems_(problems),
       offsets_(options.offsets),
-      references_{options.offsets.references[0].value_or(options.reference),
-                  options.offsets.references[1].value_or(options.reference)},
-      are_references_set_{options.offsets.references[0].has_value(),
-                          options.offsets.references[1].has_value()},
-      program_(offsets_.to_program(options.start)),
-      machine_(options.start),
-      placed_(options.is_start_known ? kAllLetters : AxisMask{0}),
-      start_placed_(placed_),
-      wants_modes_(sink.wants_modes()) {
-    if (wants_modes_) tell_modes();
+      place_{offsets_.to_program(options.start), options.start,
+             options.is_start_known ? kAllLetters : AxisMask{0}} {
+    for (std::size_t which = 0; which < references_.size(); ++which) {
+        const auto& kept = options.offsets.references[which];
+        references_[which] = {kept.value_or(options.reference), kept.has_value()};
+    }
+    place_.start_placed = place_.placed;
+    mode_report_.is_wanted = sink.wants_modes();
+    if (mode_report_.is_wanted) tell_modes();
 }
 
 void Interpreter::run(const Block& block, bool has_doubt) {
-    jump_.code = 0;
-    if (has_ended_ || (block.is_deleted() && options_.skips_deleted)) return;
-    are_values_doubtful_ = has_doubt && block.has_values();
+    outcome_.jump.code = 0;
+    if (course_.has_ended || (block.is_deleted() && options_.skips_deleted)) return;
+    doubts_.values = has_doubt && block.has_values();
     Fault wrong = words_.read(block, options_.dialect);
     if (!wrong && words_.is_empty()) return;
     if (!wrong) wrong = judge();
-    offsets_to_tell_.reset();
+    outcome_.offsets.reset();
     if (!wrong && may_be_long()) {
         wrong = rehearse();
         if (!wrong && !sink_->wants_more()) return;
     }
     if (!wrong) wrong = execute();
-    if (!wrong && offsets_to_tell_) sink_->set_offsets(*offsets_to_tell_);
+    if (!wrong && outcome_.offsets) sink_->set_offsets(*outcome_.offsets);
     if (!wrong) return;
     problems_.add(std::move(*wrong));
     pass_wrong();
@@ -74,13 +73,13 @@ void Interpreter::run(const Block& block, bool has_doubt) {
         if (code > 0) doubt_modes(static_cast<char>('0' + code / 10), static_cast<char>('0' + code % 10));
         if (word.letter == 'G' && is_drawing_code(word.value)) doubt_drawing();
         // A program that is wrong in its last block has an end all the same.
-        if (word.letter == 'M' && (word.value == 2.0 || word.value == 30.0)) has_ended_ = true;
+        if (word.letter == 'M' && (word.value == 2.0 || word.value == 30.0)) course_.has_ended = true;
     }
 }
 
 void Interpreter::pass_unreadable(std::string_view line) noexcept {
     pass_wrong();
-    is_end_doubtful_ = is_end_doubtful_ || names_end(line);
+    doubts_.end = doubts_.end || names_end(line);
     if (names_drawing(line)) doubt_drawing();
     std::size_t read = 0;  // of G and two digits
     char tens = ' ';
@@ -103,17 +102,17 @@ void Interpreter::doubt_modes(char tens, char ones) noexcept {
     if (ones != '0' && ones != '1' && ones != 'O' && ones != 'o') return;
     const char units = modes_.mm_per_unit == 1.0 ? '1' : '0';
     const char distance = modes_.is_incremental ? '1' : '0';
-    if ((tens == '2' || tens == '7') && ones != units) are_units_doubtful_ = true;
-    if (tens == '9' && ones != distance) is_distance_doubtful_ = true;
+    if ((tens == '2' || tens == '7') && ones != units) doubts_.units = true;
+    if (tens == '9' && ones != distance) doubts_.distance = true;
 }
 
 void Interpreter::pass_wrong() noexcept {
-    doubtful_ = kAllLetters;
-    placed_ = 0;
-    start_placed_ = 0;
+    doubts_.axes = kAllLetters;
+    place_.placed = 0;
+    place_.start_placed = 0;
     drawing_.is_doubtful = true;
-    is_feed_doubtful_ = true;
-    is_motion_doubtful_ = true;
+    doubts_.feed = true;
+    doubts_.motion = true;
 }
 
 /// It is not known which mode holds: none is judged until a right block says.
@@ -127,7 +126,7 @@ void Interpreter::end_without_block(std::uint64_t line) {
     ended.line = line;
     ended.column = 1;
     give(ended);
-    has_ended_ = true;
+    course_.has_ended = true;
 }
 
 Problem Interpreter::fault(std::uint32_t column, ProblemCode code, Phrase what) const {
@@ -150,11 +149,11 @@ Interpreter::Fault Interpreter::judge_motion() {
     const bool has_axes = words_.axes() != 0;
     const bool is_length = words_.code(CodeGroup::length) == 431;
     const bool is_claimed = once == 100 || once == 280 || once == 300 || once == 920 || is_length;
-    motion_to_be_ = motion == 800 ? kNoCode : motion;
+    outcome_.motion = motion == 800 ? kNoCode : motion;
     if (is_claimed) {
         const CodeGroup claimant = is_length ? CodeGroup::length : CodeGroup::once;
         // G28 and its like take axis words, given or not.
-        if (motion_to_be_ != kNoCode && (has_axes || !is_length))
+        if (outcome_.motion != kNoCode && (has_axes || !is_length))
             return fault(words_.column(CodeGroup::motion), ProblemCode::claimed_twice,
                          phrase("%1 and %2 both use axis words", code_name('G', motion),
                                 code_name('G', words_.code(claimant))));
@@ -162,18 +161,18 @@ Interpreter::Fault Interpreter::judge_motion() {
             return fault(words_.column(claimant), ProblemCode::axes_missing,
                          phrase("%1 has no axis word", code_name('G', words_.code(claimant))));
         words_.take_axes();
-        motion_to_be_ = kNoCode;
+        outcome_.motion = kNoCode;
     } else if (motion == kNoCode && (has_axes || has_centre_for_arc())) {
-        motion_to_be_ = modes_.motion == 800 ? kNoCode : modes_.motion;
-        if (is_motion_doubtful_) words_.take_axes();
+        outcome_.motion = modes_.motion == 800 ? kNoCode : modes_.motion;
+        if (doubts_.motion) words_.take_axes();
     }
-    if (motion_to_be_ != kNoCode) words_.take_axes();
+    if (outcome_.motion != kNoCode) words_.take_axes();
     if (once != 530 || drawing_.is_mode_doubtful) return std::nullopt;
-    if (motion_to_be_ != 0 && motion_to_be_ != 10 && !is_motion_doubtful_)
+    if (outcome_.motion != 0 && outcome_.motion != 10 && !doubts_.motion)
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_motion,
                      phrase("G53 without a straight motion"));
     const int distance = words_.code(CodeGroup::distance);
-    if (distance == 910 || (distance == kNoCode && modes_.is_incremental && !is_distance_doubtful_))
+    if (distance == 910 || (distance == kNoCode && modes_.is_incremental && !doubts_.distance))
         return fault(words_.column(CodeGroup::once), ProblemCode::g53_incremental,
                      phrase("G53 while G91 holds"));
     return std::nullopt;
@@ -189,35 +188,35 @@ bool Interpreter::has_centre_for_arc() const noexcept {
 Interpreter::Fault Interpreter::judge_claims() {
     const int once = words_.code(CodeGroup::once);
     const int outputs = words_.code(CodeGroup::outputs);
-    const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
+    const bool is_arc = outcome_.motion == 20 || outcome_.motion == 30;
     const bool calls = words_.code(CodeGroup::stop) == 98;
     int claims = 0;
     if (calls) words_.take('L');
     if (is_arc)
         for (const char letter : {'I', 'J', 'K', 'R'}) words_.take(letter);
-    if (is_cycle(motion_to_be_))
+    if (is_cycle(outcome_.motion))
         for (const char letter : {'R', 'L'}) words_.take(letter);
-    if (motion_to_be_ == 830 || words_.code(CodeGroup::path) == 640) words_.take('Q');
+    if (outcome_.motion == 830 || words_.code(CodeGroup::path) == 640) words_.take('Q');
     if (once == 100)
         for (const char letter : {'L', 'R'}) words_.take(letter);
     if (outputs == 66)
         for (const char letter : {'L', 'Q'}) words_.take(letter);
     for (const bool claims_p :
-         {is_arc, motion_to_be_ == 820, once == 40, once == 100, outputs != kNoCode, calls,
+         {is_arc, outcome_.motion == 820, once == 40, once == 100, outputs != kNoCode, calls,
           words_.code(CodeGroup::path) == 640, words_.code(CodeGroup::overrides) >= 50})
         claims += claims_p ? 1 : 0;
     if (claims > 0) words_.take('P');
     if (claims > 1 && words_.has('P'))
         return fault(words_.column('P'), ProblemCode::claimed_twice, phrase("two codes of the block use P"));
-    if ((is_motion_doubtful_ && words_.code(CodeGroup::motion) == kNoCode) || drawing_.is_mode_doubtful)
+    if ((doubts_.motion && words_.code(CodeGroup::motion) == kNoCode) || drawing_.is_mode_doubtful)
         for (const char letter : {'I', 'J', 'K', 'R', 'P', 'Q', 'L'}) words_.take(letter);
     return std::nullopt;
 }
 
 Interpreter::Fault Interpreter::execute() {
-    is_too_far_ = false;
-    is_changing_modes_ = wants_modes_ && may_change_modes();
-    owes_modes_ = owes_modes_ || is_changing_modes_;
+    outcome_.is_too_far = false;
+    mode_report_.is_changing = mode_report_.is_wanted && may_change_modes();
+    mode_report_.is_owed = mode_report_.is_owed || mode_report_.is_changing;
     if (words_.has(CodeGroup::drawing)) return set_drawing();
     set_units();
     if (auto wrong = set_feed()) return wrong;
@@ -237,7 +236,7 @@ Interpreter::Fault Interpreter::execute() {
     set_distances();
     if (auto wrong = do_once()) return wrong;
     if (auto wrong = move()) return wrong;
-    if (is_too_far_)
+    if (outcome_.is_too_far)
         return fault(words_.axis_column(), ProblemCode::out_of_range,
                      phrase("a place beyond 1 000 000 000 mm"));
     return stop();
@@ -257,12 +256,12 @@ void Interpreter::emit(CanonKind kind, int code, double value) {
     made.value = value;
     if (kind == CanonKind::path) drawing_.tolerance_mm = value;
     const bool is_rest = kind == CanonKind::stop || kind == CanonKind::tool_change;
-    if (is_rest || (kind == CanonKind::dwell && value > 0.0)) ++action_count_;
+    if (is_rest || (kind == CanonKind::dwell && value > 0.0)) ++course_.actions;
     give(made);
 }
 
 void Interpreter::refresh_program() noexcept {
-    program_ = offsets_.to_program(machine_);
+    place_.program = offsets_.to_program(place_.machine);
 }
 
 }  // namespace psicarve::gcode

@@ -13,6 +13,7 @@
 #include "hmi/gcode/block_meaning.hpp"
 #include "hmi/gcode/canon.hpp"
 #include "hmi/gcode/drawing_machine.hpp"
+#include "hmi/gcode/interpreter_parts.hpp"
 #include "hmi/gcode/modal_state.hpp"
 #include "hmi/gcode/polar_way.hpp"
 #include "hmi/gcode/problem.hpp"
@@ -36,14 +37,6 @@ struct InterpreterOptions {
     std::uint64_t most_idle_blocks = 1'000'000;
 };
 
-/// M98 or M99, which a block asks for.
-struct WantedJump {
-    int code = 0;  ///< 98 or 99; 0: none
-    std::uint64_t number = 0;
-    std::uint64_t times = 1;
-    std::uint32_t column = 0;
-};
-
 /// Executes blocks in the order of RS274/NGC, one after the other, and gives their meaning to a sink. A wrong
 /// block is reported once; faults that follow from it are not.
 class Interpreter : public ProgramState {
@@ -54,22 +47,22 @@ public:
     /// `has_doubt`: values in it are perhaps not those that the program means; no place is known by them.
     void run(const Block& block, bool has_doubt);
     /// A program may ask for the line that is being read.
-    void begin_line(std::uint64_t line) noexcept { line_ = line; }
+    void begin_line(std::uint64_t line) noexcept { course_.line = line; }
     /// In place of run() for a block that could not be read.
     void pass_unreadable(std::string_view line) noexcept;
     /// What ends a program and is no block: its second %, or a stream's end.
     void end_without_block(std::uint64_t line);
     /// The lines that follow are not part of the program.
-    bool has_ended() const noexcept { return has_ended_; }
+    bool has_ended() const noexcept { return course_.has_ended; }
     /// A line that could not be read may have been the end.
-    bool is_end_doubtful() const noexcept { return is_end_doubtful_; }
+    bool is_end_doubtful() const noexcept { return doubts_.end; }
     /// Ways that drawn ones have become, from the program's begin.
-    std::uint64_t drawn_chord_count() const noexcept { return drawn_chord_count_; }
-    std::uint64_t motion_count() const noexcept { return motion_count_; }
+    std::uint64_t drawn_chord_count() const noexcept { return course_.drawn_chords; }
+    std::uint64_t motion_count() const noexcept { return course_.motions; }
     /// Moves that lead somewhere, dwells and stops.
-    std::uint64_t action_count() const noexcept { return action_count_; }
+    std::uint64_t action_count() const noexcept { return course_.actions; }
     /// Of the last block.
-    const WantedJump& wanted_jump() const noexcept { return jump_; }
+    const WantedJump& wanted_jump() const noexcept { return outcome_.jump; }
 
     StateAnswer numbered(std::uint32_t number) const override;
     StateAnswer named(std::string_view name) const override;
@@ -86,11 +79,6 @@ private:
     void doubt_modes(char tens, char ones) noexcept;
     void doubt_drawing() noexcept;
     void pass_doubtful_move() noexcept;
-    bool are_places_doubtful() const noexcept {
-        return are_units_doubtful_ || is_distance_doubtful_ || are_values_doubtful_;
-    }
-    /// Whether words of the block may mean other lengths, or other values.
-    bool are_words_doubtful() const noexcept { return are_units_doubtful_ || are_values_doubtful_; }
     Fault judge();
     Fault judge_motion();
     Fault judge_claims();
@@ -185,34 +173,13 @@ private:
     Drawing drawing_;
     CycleWords cycle_;
     WorkOffsets offsets_;
-    std::optional<KeptOffsets> offsets_to_tell_;  ///< that the block sets
-    std::array<Position, 2> references_;
-    std::array<bool, 2> are_references_set_;
-    Position program_{};  ///< where the machine stands, in program coordinates
-    Position machine_{};
-    int motion_to_be_ = kNoCode;
-    AxisMask placed_ = 0;        ///< machine axes whose place the program has set, by this block, too
-    AxisMask start_placed_ = 0;  ///< the same where the machine stands
-    AxisMask doubtful_ = 0;      ///< axes that a wrong block was perhaps meant to move
+    std::array<ReferencePoint, 2> references_;
+    MachinePlace place_;
     UnknownZeros unknown_;
-    bool is_too_far_ = false;          ///< a move of this block was left out
-    bool are_units_doubtful_ = false;  ///< a wrong block may have changed the units
-    bool is_distance_doubtful_ = false;
-    bool are_values_doubtful_ = false;  ///< of this block
-    bool is_feed_doubtful_ = false;
-    bool is_motion_doubtful_ = false;
-    bool is_end_doubtful_ = false;
-    bool has_ended_ = false;
-    bool is_path_q_told_ = false;
-    std::uint64_t drawn_chord_count_ = 0;
-    std::uint64_t motion_count_ = 0;
-    std::uint64_t action_count_ = 0;
-    std::uint64_t line_ = 0;
-    WantedJump jump_;
-    bool wants_modes_;
-    bool is_changing_modes_ = false;  ///< this block may
-    bool owes_modes_ = false;         ///< what follows may be under others than were told
-    ActiveModes told_modes_;
+    Doubts doubts_;
+    BlockOutcome outcome_;
+    ProgramCourse course_;
+    ModeReport mode_report_;
 };
 
 }  // namespace psicarve::gcode

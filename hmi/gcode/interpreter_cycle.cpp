@@ -21,7 +21,7 @@ constexpr double kMostPecks = 1e5;
 
 /// In pecks, or repeated.
 bool Interpreter::may_be_long() const noexcept {
-    return is_cycle(motion_to_be_) && (motion_to_be_ == 830 || words_.has('L'));
+    return is_cycle(outcome_.motion) && (outcome_.motion == 830 || words_.has('L'));
 }
 
 /// All of the block, but what it changes here.
@@ -37,8 +37,8 @@ Interpreter::Fault Interpreter::rehearse() const {
 /// motion before this block.
 Interpreter::Fault Interpreter::read_cycle_words() {
     const std::uint32_t column = words_.axis_column();
-    const bool goes_on = modes_.motion == motion_to_be_;
-    const std::string name = code_name('G', motion_to_be_);
+    const bool goes_on = modes_.motion == outcome_.motion;
+    const std::string name = code_name('G', outcome_.motion);
     const char across = kAxisLetters[modes_.plane->across];
     const double scale = modes_.mm_per_unit;
     const auto missing = [&](Phrase what) {
@@ -46,18 +46,18 @@ Interpreter::Fault Interpreter::read_cycle_words() {
     };
     if (!goes_on && !words_.has('R')) return missing(phrase("%1 has no R", name));
     if (!goes_on && !words_.has(across)) return missing(phrase("%1 has no %2, the depth", name, across));
-    if (!goes_on && motion_to_be_ == 820 && !words_.has('P'))
+    if (!goes_on && outcome_.motion == 820 && !words_.has('P'))
         return missing(phrase("%1 has no P, the dwell", name));
-    if (!goes_on && motion_to_be_ == 830 && !words_.has('Q'))
+    if (!goes_on && outcome_.motion == 830 && !words_.has('Q'))
         return missing(phrase("%1 has no Q, the depth of a peck", name));
     if (words_.has('R')) cycle_.clear_mm = words_.value('R') * scale;
     if (words_.has(across)) cycle_.depth_mm = words_.value(across) * scale;
     if (words_.has('P')) cycle_.dwell_s = words_.value('P');
     if (words_.has('Q')) cycle_.peck_mm = words_.value('Q') * scale;
-    if (motion_to_be_ == 820 && cycle_.dwell_s < 0.0)
+    if (outcome_.motion == 820 && cycle_.dwell_s < 0.0)
         return fault(words_.has('P') ? words_.column('P') : column, ProblemCode::out_of_range,
                      phrase("a dwell of less than 0 s"));
-    if (motion_to_be_ == 830 && cycle_.peck_mm <= 0.0)
+    if (outcome_.motion == 830 && cycle_.peck_mm <= 0.0)
         return fault(words_.has('Q') ? words_.column('Q') : column, ProblemCode::out_of_range,
                      phrase("a peck is more than 0 deep"));
     if (words_.has('L') && (words_.value('L') < 1.0 || words_.value('L') > kMostHoles))
@@ -78,15 +78,15 @@ Interpreter::Fault Interpreter::drill() {
     const bool steps = modes_.is_incremental;
     const double clear_mm = steps ? cycle_.initial_mm + cycle_.clear_mm : cycle_.clear_mm;
     const double depth_mm = steps ? clear_mm + cycle_.depth_mm : cycle_.depth_mm;
-    if (clear_mm < depth_mm && !are_places_doubtful())
+    if (clear_mm < depth_mm && !doubts_.are_of_places())
         return fault(column, ProblemCode::cycle_depth, phrase("R is below the depth of the hole"));
     const double holes = words_.has('L') ? words_.value('L') : 1.0;
-    const double pecks = motion_to_be_ == 830 ? (clear_mm - depth_mm) / cycle_.peck_mm : 1.0;
+    const double pecks = outcome_.motion == 830 ? (clear_mm - depth_mm) / cycle_.peck_mm : 1.0;
     if (holes * pecks > kMostPecks)
         return fault(column, ProblemCode::out_of_range,
                      phrase("a block of more than 100000 holes and pecks"));
     const double retract_mm = modes_.retracts_to_start ? std::max(cycle_.initial_mm, clear_mm) : clear_mm;
-    Position at = program_;
+    Position at = place_.program;
     if (!steps) note_places(mask_of(plane.across), false);
     // As in LinuxCNC: before every hole that lies above where the first one began.
     if (clear_mm > cycle_.initial_mm) {
@@ -116,7 +116,7 @@ void Interpreter::drill_hole(Position& at, double clear_mm, double depth_mm, dou
         height_mm = clear_mm;
         rapid_to(at);
     }
-    if (motion_to_be_ == 830) {
+    if (outcome_.motion == 830) {
         for (double peck_mm = clear_mm - cycle_.peck_mm; peck_mm > depth_mm; peck_mm -= cycle_.peck_mm) {
             height_mm = peck_mm;
             feed_to(at);
@@ -128,7 +128,7 @@ void Interpreter::drill_hole(Position& at, double clear_mm, double depth_mm, dou
     }
     height_mm = depth_mm;
     feed_to(at);
-    if (motion_to_be_ == 820) emit(CanonKind::dwell, 820, cycle_.dwell_s);
+    if (outcome_.motion == 820) emit(CanonKind::dwell, 820, cycle_.dwell_s);
     height_mm = retract_mm;
     rapid_to(at);
 }

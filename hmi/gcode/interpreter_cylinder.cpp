@@ -27,17 +27,17 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
     const Plane& plane = *modes_.plane;
     const Position end = target();
     CanonRecord arc;  // where it is drawn
-    arc.start = program_;
+    arc.start = place_.program;
     arc.end = end;
     arc.start[kTurnLetter] *= mm_per_deg;
     arc.end[kTurnLetter] *= mm_per_deg;
     const double turned_mm = arc.end[kTurnLetter] - arc.start[kTurnLetter];
-    if (motion_to_be_ == 0 || motion_to_be_ == 10) {
+    if (outcome_.motion == 0 || outcome_.motion == 10) {
         double moved = moved_mm(end, options_.drawing.linear_letters());
         if (moved < kLeastWayMm) moved = moved_mm(end, kUvw);
         const double length_mm = std::hypot(moved, turned_mm);
         note_places(words_.axes(), false);
-        const FeedAlong along = length_mm < kLeastWayMm ? feed_of_line(program_, end)
+        const FeedAlong along = length_mm < kLeastWayMm ? feed_of_line(place_.program, end)
                                                         : FeedAlong{feed_of_length(length_mm), length_mm};
         emit_drawn(end, 1.0, along, true, true);
         return std::nullopt;
@@ -60,19 +60,19 @@ Interpreter::Fault Interpreter::draw_on_cylinder() {
 Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, const Position& end,
                                                       double length_mm) {
     // A tip outside the cylinder is as much further off as it is further out.
-    const double tip_mm = greatest_tip_radius_mm(options_.drawing, machine_, offsets_.to_machine(end));
+    const double tip_mm = greatest_tip_radius_mm(options_.drawing, place_.machine, offsets_.to_machine(end));
     const ArcChords chords{arc, chord_mm() / std::max(1.0, tip_mm / drawing_.radius_mm)};
     if (chords.count() > kMostDrawnChords)
         return fault(words_.axis_column(), ProblemCode::out_of_range,
                      phrase("an arc of more than 100000 chords"));
     const double mm_per_deg = drawing_.radius_mm * rad_from_deg(1.0);
     const AxisMask axes = static_cast<AxisMask>(mask_of(arc.plane->first) | mask_of(arc.plane->second));
-    const AxisMask before = placed_;
+    const AxisMask before = place_.placed;
     note_places(words_.axes(), false);
-    const AxisMask behind = placed_;
+    const AxisMask behind = place_.placed;
     // What gets its place by it has that at its end alone, and so has all of an arc from anywhere.
-    placed_ = static_cast<AxisMask>(behind & before);
-    if ((before & axes) != axes) placed_ = static_cast<AxisMask>(placed_ & ~axes);
+    place_.placed = static_cast<AxisMask>(behind & before);
+    if ((before & axes) != axes) place_.placed = static_cast<AxisMask>(place_.placed & ~axes);
     const FeedAlong along{feed_of_length(length_mm), length_mm};
     const double share = 1.0 / static_cast<double>(chords.count());
     for (std::uint64_t chord = 1; chord < chords.count() && sink_->wants_more(); ++chord) {
@@ -80,7 +80,7 @@ Interpreter::Fault Interpreter::carry_out_on_cylinder(const CanonRecord& arc, co
         at[kTurnLetter] /= mm_per_deg;
         emit_drawn(at, share, along, chord == 1, false);
     }
-    placed_ = behind;
+    place_.placed = behind;
     emit_drawn(end, share, along, chords.count() == 1, true);
     return std::nullopt;
 }

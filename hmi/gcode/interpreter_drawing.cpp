@@ -30,7 +30,7 @@ Interpreter::Fault Interpreter::judge_drawing() {
     const int code = words_.code(CodeGroup::drawing);
     const std::uint32_t column = words_.column(CodeGroup::drawing);
     const std::string name = code_name('G', code);
-    motion_to_be_ = kNoCode;
+    outcome_.motion = kNoCode;
     for (std::size_t group = 0; group < kCodeGroupCount; ++group) {
         const auto which = static_cast<CodeGroup>(group);
         if (which != CodeGroup::drawing && words_.has(which))
@@ -49,7 +49,7 @@ Interpreter::Fault Interpreter::judge_drawing() {
     if (code != 71) return words_.left_over();
     if (!words_.has('C'))
         return fault(column, ProblemCode::word_missing, phrase("G7.1 has no C, the cylinder's radius"));
-    if (words_.value('C') < 0.0 && !are_values_doubtful_)
+    if (words_.value('C') < 0.0 && !doubts_.values)
         return fault(words_.column('C'), ProblemCode::out_of_range,
                      phrase("a cylinder's radius of less than 0"));
     return words_.left_over();
@@ -65,7 +65,7 @@ Interpreter::Fault Interpreter::judge_drawing_mode() {
     for (const CodeGroup group : {CodeGroup::plane, CodeGroup::length, CodeGroup::system})
         if (words_.has(group)) return refused(group);
     if (!is_once_kept(words_.code(CodeGroup::once))) return refused(CodeGroup::once);
-    if (is_cycle(motion_to_be_) && words_.has(CodeGroup::motion)) return refused(CodeGroup::motion);
+    if (is_cycle(outcome_.motion) && words_.has(CodeGroup::motion)) return refused(CodeGroup::motion);
     return std::nullopt;
 }
 
@@ -73,7 +73,7 @@ Interpreter::Fault Interpreter::set_drawing() {
     const int code = words_.code(CodeGroup::drawing);
     const bool ends = code == 131 || (code == 71 && words_.value('C') == 0.0);
     // Behind a wrong one, or with a value that is not known, it is not known what held.
-    drawing_.is_mode_doubtful = code == 71 && are_values_doubtful_;
+    drawing_.is_mode_doubtful = code == 71 && doubts_.values;
     if (drawing_.is_mode_doubtful) {
         doubt_drawing();
         return std::nullopt;
@@ -96,10 +96,10 @@ Interpreter::Fault Interpreter::begin_drawing(DrawnMode mode) {
     drawing_.mode = mode;
     drawing_.plane_before = modes_.plane;
     drawing_.radius_mm = mode == DrawnMode::cylinder ? words_.value('C') * modes_.mm_per_unit : 0.0;
-    drawing_.is_doubtful = (doubtful_ & kDrawnLetters) != 0;
+    drawing_.is_doubtful = (doubts_.axes & kDrawnLetters) != 0;
     modes_.plane = mode == DrawnMode::polar ? &kCrossSection
                                             : (options_.drawing.is_y_on_z ? &kCylinderZc : &kCylinderCy);
-    if (is_cycle(modes_.motion) && !is_motion_doubtful_)
+    if (is_cycle(modes_.motion) && !doubts_.motion)
         return fault(column, ProblemCode::drawing_begin, phrase("%1 while a cycle holds", name));
     if (offsets_.is_turned())
         return fault(column, ProblemCode::drawing_begin, phrase("%1 in a system that is rotated", name));
@@ -108,13 +108,13 @@ Interpreter::Fault Interpreter::begin_drawing(DrawnMode mode) {
 
 Interpreter::Fault Interpreter::begin_polar() {
     const std::uint32_t column = words_.column(CodeGroup::drawing);
-    if ((placed_ & kDrawnLetters) != kDrawnLetters || (unknown_zeros() & kDrawnLetters) != 0)
+    if ((place_.placed & kDrawnLetters) != kDrawnLetters || (unknown_zeros() & kDrawnLetters) != 0)
         return fault(column, ProblemCode::drawing_begin,
                      phrase("G12.1, and the program has not said yet where X and C are"));
     const double zero_mm = offsets_.origin(offsets_.active())[kDepthLetter] +
                            (offsets_.is_shifted() ? offsets_.kept_shift()[kDepthLetter] : 0.0);
     const DrawingMachine& machine = options_.drawing;
-    const double radius_mm = program_[kDepthLetter] + machine.tip_mm[0];
+    const double radius_mm = place_.program[kDepthLetter] + machine.tip_mm[0];
     const double apart_mm = machine.tip_mm[1] - machine.tip_mm[0];
     if (machine.follows && std::abs(apart_mm) > machine.half_pulse_mm[1])
         return fault(
@@ -129,7 +129,7 @@ Interpreter::Fault Interpreter::begin_polar() {
         return fault(
             column, ProblemCode::drawing_begin,
             phrase("G12.1 with the tip %1 mm from the axis, and there is no direction", mm_text(radius_mm)));
-    const double angle_rad = rad_from_deg(program_[kTurnLetter]);
+    const double angle_rad = rad_from_deg(place_.program[kTurnLetter]);
     drawing_.place = {radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad)};
     return std::nullopt;
 }
@@ -137,9 +137,9 @@ Interpreter::Fault Interpreter::begin_polar() {
 /// It may have been drawn, or gone to straight.
 void Interpreter::pass_doubtful_move() noexcept {
     const AxisMask axes = static_cast<AxisMask>(words_.axes() | kDrawnLetters);
-    doubtful_ |= axes;
-    placed_ = static_cast<AxisMask>(placed_ & ~axes);
-    start_placed_ = static_cast<AxisMask>(start_placed_ & ~axes);
+    doubts_.axes |= axes;
+    place_.placed = static_cast<AxisMask>(place_.placed & ~axes);
+    place_.start_placed = static_cast<AxisMask>(place_.start_placed & ~axes);
 }
 
 /// C goes on from the direction that it has come to, with all its turns.
@@ -158,24 +158,24 @@ double Interpreter::chord_mm() const noexcept {
 double Interpreter::moved_mm(const Position& to, AxisMask letters) const noexcept {
     double squares = 0.0;
     for (std::size_t letter = 0; letter < kLetterCount; ++letter) {
-        const double moved_mm = to[letter] - program_[letter];
+        const double moved_mm = to[letter] - place_.program[letter];
         if ((letters & mask_of(letter)) != 0) squares += moved_mm * moved_mm;
     }
     return std::sqrt(squares);
 }
 
 Interpreter::Fault Interpreter::draw() {
-    if (is_cycle(motion_to_be_))
+    if (is_cycle(outcome_.motion))
         return fault(words_.axis_column(), ProblemCode::drawing_code,
                      phrase("a cycle while %1 holds", mode_name(drawing_.mode)));
-    if (motion_to_be_ != 0)
+    if (outcome_.motion != 0)
         if (auto wrong = check_feed()) return wrong;
     return is_drawing(DrawnMode::polar) ? draw_in_polar() : draw_on_cylinder();
 }
 
 Interpreter::Fault Interpreter::arc_in_plane(const PlanePoint& from, const PlanePoint& to, PlanePoint& centre,
                                              int& turns) {
-    const bool is_clockwise = motion_to_be_ == 20;
+    const bool is_clockwise = outcome_.motion == 20;
     if (auto wrong = find_centre(from, to, is_clockwise, centre)) return wrong;
     if (auto wrong = read_turns(turns)) return wrong;
     if (is_clockwise) turns = -turns;
@@ -185,13 +185,13 @@ Interpreter::Fault Interpreter::arc_in_plane(const PlanePoint& from, const Plane
 /// One of the ways that something drawn becomes: its last `share`.
 void Interpreter::emit_drawn(const Position& program, double share, const FeedAlong& along, bool is_first,
                              bool is_last) {
-    CanonRecord moved = record(motion_to_be_ == 0 ? CanonKind::rapid : CanonKind::feed);
+    CanonRecord moved = record(outcome_.motion == 0 ? CanonKind::rapid : CanonKind::feed);
     moved.is_drawn = true;
-    ++drawn_chord_count_;
+    ++course_.drawn_chords;
     moved.begins_within = !is_first;
     moved.ends_within = !is_last;
     emit_move(moved, program,
-              motion_to_be_ == 0 ? FeedAlong{} : FeedAlong{along.per_min, along.length * share});
+              outcome_.motion == 0 ? FeedAlong{} : FeedAlong{along.per_min, along.length * share});
 }
 
 }  // namespace psicarve::gcode

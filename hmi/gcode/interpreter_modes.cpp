@@ -56,17 +56,17 @@ bool Interpreter::may_change_modes() const noexcept {
 
 /// Before what it holds for. A block that changes modes may give something in between.
 void Interpreter::give(const CanonRecord& given) {
-    if (owes_modes_) {
+    if (mode_report_.is_owed) {
         tell_modes();
-        owes_modes_ = is_changing_modes_;
+        mode_report_.is_owed = mode_report_.is_changing;
     }
     sink_->take(given);
 }
 
 void Interpreter::tell_modes() {
     const ActiveModes now = active_modes();
-    if (told_modes_ == now) return;
-    told_modes_ = now;
+    if (mode_report_.told == now) return;
+    mode_report_.told = now;
     sink_->set_modes(now);
 }
 
@@ -74,7 +74,7 @@ ActiveModes Interpreter::active_modes() const noexcept {
     ActiveModes made;
     CodeList g{made.g_codes};
     // The moves of a cycle are its own.
-    g.add(is_cycle(motion_to_be_) ? motion_to_be_ : modes_.motion);
+    g.add(is_cycle(outcome_.motion) ? outcome_.motion : modes_.motion);
     g.add(plane_code(is_drawing(DrawnMode::none) ? modes_.plane : drawing_.plane_before));
     g.add(modes_.mm_per_unit == 1.0 ? kMillimetre : kInch);
     g.add(modes_.is_incremental ? 910 : 900);

@@ -38,29 +38,29 @@ Interpreter::Fault Interpreter::move() {
     const int before = modes_.motion;
     if (words_.has(CodeGroup::motion)) {
         modes_.motion = words_.code(CodeGroup::motion);
-        is_motion_doubtful_ = false;
+        doubts_.motion = false;
     }
-    if (is_motion_doubtful_) return std::nullopt;
-    if (motion_to_be_ == kNoCode) return std::nullopt;
-    const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
-    if (!is_arc && !is_cycle(motion_to_be_) && words_.axes() == 0) return std::nullopt;
+    if (doubts_.motion) return std::nullopt;
+    if (outcome_.motion == kNoCode) return std::nullopt;
+    const bool is_arc = outcome_.motion == 20 || outcome_.motion == 30;
+    if (!is_arc && !is_cycle(outcome_.motion) && words_.axes() == 0) return std::nullopt;
     if (drawing_.is_mode_doubtful) {
         pass_doubtful_move();
         return std::nullopt;
     }
     if (!is_drawing(DrawnMode::none)) return draw();
-    if (is_cycle(motion_to_be_)) {
+    if (is_cycle(outcome_.motion)) {
         if (words_.axes() == 0)
             return fault(words_.column(CodeGroup::motion), ProblemCode::axes_missing,
-                         phrase("%1 has no axis word", code_name('G', motion_to_be_)));
+                         phrase("%1 has no axis word", code_name('G', outcome_.motion)));
         // The words of one cycle do not hold for another.
-        if (!is_cycle(before)) cycle_.initial_mm = program_[modes_.plane->across];
+        if (!is_cycle(before)) cycle_.initial_mm = place_.program[modes_.plane->across];
         modes_.motion = before;
         const Fault wrong = drill();
-        modes_.motion = motion_to_be_;
+        modes_.motion = outcome_.motion;
         return wrong;
     }
-    return is_arc ? move_on_arc(motion_to_be_ == 20) : move_straight(motion_to_be_ == 0);
+    return is_arc ? move_on_arc(outcome_.motion == 20) : move_straight(outcome_.motion == 0);
 }
 
 double Interpreter::axis_mm(std::size_t axis) const noexcept {
@@ -70,7 +70,7 @@ double Interpreter::axis_mm(std::size_t axis) const noexcept {
 Position Interpreter::target() const noexcept {
     const AxisMask axes = words_.axes();
     const bool is_machine = words_.code(CodeGroup::once) == 530;
-    Position end = is_machine ? machine_ : program_;
+    Position end = is_machine ? place_.machine : place_.program;
     for (std::size_t axis = 0; axis < kLetterCount; ++axis) {
         if ((axes & mask_of(axis)) == 0) continue;
         end[axis] = modes_.is_incremental ? end[axis] + axis_mm(axis) : axis_mm(axis);
@@ -89,27 +89,27 @@ AxisMask Interpreter::unknown_zeros() const noexcept {
 }
 
 void Interpreter::note_places(AxisMask axes, bool is_machine) noexcept {
-    if (are_places_doubtful()) {
-        placed_ = static_cast<AxisMask>(placed_ & ~both_if_turned(axes));
-        doubtful_ |= axes;
+    if (doubts_.are_of_places()) {
+        place_.placed = static_cast<AxisMask>(place_.placed & ~both_if_turned(axes));
+        doubts_.axes |= axes;
         return;
     }
     if (modes_.is_incremental && !is_machine) return;
     const AxisMask unknown = static_cast<AxisMask>(axes & unknown_zeros());
-    doubtful_ = static_cast<AxisMask>((doubtful_ & ~axes) | (is_machine ? unknown : 0));
+    doubts_.axes = static_cast<AxisMask>((doubts_.axes & ~axes) | (is_machine ? unknown : 0));
     const AxisMask both = 3;
     if (is_machine || !offsets_.is_turned() || (axes & both) == 0 || (axes & both) == both) {
-        placed_ |= axes;
+        place_.placed |= axes;
     } else {
         // One word moves both axes of the machine, from where it stands.
-        if ((placed_ & both) != both) placed_ = static_cast<AxisMask>(placed_ & ~both);
-        placed_ |= static_cast<AxisMask>(axes & ~both);
+        if ((place_.placed & both) != both) place_.placed = static_cast<AxisMask>(place_.placed & ~both);
+        place_.placed |= static_cast<AxisMask>(axes & ~both);
     }
-    if (!is_machine) placed_ = static_cast<AxisMask>(placed_ & ~both_if_turned(unknown));
+    if (!is_machine) place_.placed = static_cast<AxisMask>(place_.placed & ~both_if_turned(unknown));
 }
 
 Interpreter::Fault Interpreter::check_feed() {
-    if (is_feed_doubtful_) return std::nullopt;
+    if (doubts_.feed) return std::nullopt;
     const std::uint32_t column = words_.axis_column();
     if (modes_.feed_mode == FeedMode::inverse_time) {
         if (words_.has('F') && modes_.feed_number > 0.0) return std::nullopt;
@@ -153,24 +153,24 @@ Interpreter::FeedAlong Interpreter::feed_of_line(const Position& from, const Pos
 }
 
 void Interpreter::emit_move(CanonRecord& moved, const Position& program, const FeedAlong& along) {
-    moved.start = machine_;
+    moved.start = place_.machine;
     moved.column = words_.axis_column();
     moved.feed_per_min = along.per_min;
     moved.length = along.length;
-    moved.placed = placed_;
-    moved.start_placed = start_placed_;
+    moved.placed = place_.placed;
+    moved.start_placed = place_.start_placed;
     const Position machine = offsets_.to_machine(program);
     if (!is_in_reach(machine) || !(std::abs(moved.centre_first_mm) <= kFurthest) ||
         !(std::abs(moved.centre_second_mm) <= kFurthest)) {
-        is_too_far_ = true;
+        outcome_.is_too_far = true;
         return;
     }
-    program_ = program;
-    machine_ = machine;
-    start_placed_ = placed_;
-    moved.end = machine_;
-    if (!moved.ends_within) ++motion_count_;
-    if (moved.end != moved.start || moved.turns != 0) ++action_count_;
+    place_.program = program;
+    place_.machine = machine;
+    place_.start_placed = place_.placed;
+    moved.end = place_.machine;
+    if (!moved.ends_within) ++course_.motions;
+    if (moved.end != moved.start || moved.turns != 0) ++course_.actions;
     give(moved);
 }
 
@@ -181,7 +181,7 @@ void Interpreter::rapid_to(const Position& program) {
 
 void Interpreter::feed_to(const Position& program) {
     CanonRecord moved = record(CanonKind::feed);
-    emit_move(moved, program, feed_of_line(program_, program));
+    emit_move(moved, program, feed_of_line(place_.program, program));
 }
 
 Interpreter::Fault Interpreter::move_straight(bool is_rapid) {
@@ -231,7 +231,7 @@ Interpreter::Fault Interpreter::find_centre(const PlanePoint& start, const Plane
         if (auto missing = read_centre_words(start, centre)) return missing;
         wrong = centre_fault(start, end, centre);
     }
-    if (!wrong || (doubtful_ & axes) != 0) return std::nullopt;
+    if (!wrong || (doubts_.axes & axes) != 0) return std::nullopt;
     return fault(column, wrong->code, std::move(wrong->what));
 }
 
@@ -254,7 +254,7 @@ Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
         return fault(words_.axis_column(), ProblemCode::arc_rotated,
                      phrase("an arc in %1 of a system that is rotated", plane.name));
     const Position end = target();
-    const PlanePoint from = in_plane(program_, plane);
+    const PlanePoint from = in_plane(place_.program, plane);
     const PlanePoint to = in_plane(end, plane);
     PlanePoint centre = from;
     int turns = 1;
@@ -272,9 +272,9 @@ Interpreter::Fault Interpreter::move_on_arc(bool is_clockwise) {
     moved.turns = is_clockwise ? -turns : turns;
     const double radius_mm = std::hypot(from.first_mm - centre.first_mm, from.second_mm - centre.second_mm);
     const double round_mm = radius_mm * sweep_rad(from, to, centre, moved.turns);
-    double length_mm = std::hypot(round_mm, end[plane.across] - program_[plane.across]);
+    double length_mm = std::hypot(round_mm, end[plane.across] - place_.program[plane.across]);
     if (options_.drawing.feeds_over_surface) {
-        moved.start = machine_;
+        moved.start = place_.machine;
         moved.end = offsets_.to_machine(end);
         length_mm = arc_over_surface_mm(options_.drawing, moved, length_mm);
     }

@@ -18,17 +18,17 @@ constexpr int kMostHalvings = 60;
 /// Where both X and C are said, the place is known again.
 void Interpreter::locate_in_polar(const PlanePoint& to, Position& end) noexcept {
     drawing_.place = to;
-    doubtful_ |= kDrawnLetters;
-    placed_ = static_cast<AxisMask>(placed_ & ~kDrawnLetters);
+    doubts_.axes |= kDrawnLetters;
+    place_.placed = static_cast<AxisMask>(place_.placed & ~kDrawnLetters);
     const double radius_mm = std::hypot(to.first_mm, to.second_mm);
     const bool is_said = (words_.axes() & kDrawnLetters) == kDrawnLetters && !modes_.is_incremental;
-    drawing_.is_doubtful = !is_said || are_places_doubtful() || (unknown_zeros() & kDrawnLetters) != 0 ||
+    drawing_.is_doubtful = !is_said || doubts_.are_of_places() || (unknown_zeros() & kDrawnLetters) != 0 ||
                            !(radius_mm >= kLeastPolarMm);
     if (drawing_.is_doubtful) return;
     end[kDepthLetter] = radius_mm - options_.drawing.tip_mm[0];
     end[kTurnLetter] = deg_from_rad(std::atan2(to.second_mm, to.first_mm));
-    placed_ |= kDrawnLetters;
-    doubtful_ = static_cast<AxisMask>(doubtful_ & ~kDrawnLetters);
+    place_.placed |= kDrawnLetters;
+    doubts_.axes = static_cast<AxisMask>(doubts_.axes & ~kDrawnLetters);
 }
 
 Interpreter::Fault Interpreter::draw_in_polar() {
@@ -39,27 +39,27 @@ Interpreter::Fault Interpreter::draw_in_polar() {
     };
     const PlanePoint from = drawing_.place;
     const PlanePoint to{drawn_mm(kDepthLetter, from.first_mm), drawn_mm(kTurnLetter, from.second_mm)};
-    const bool is_arc = motion_to_be_ == 20 || motion_to_be_ == 30;
-    if (are_places_doubtful() || drawing_.is_doubtful) doubtful_ |= kDrawnLetters;
-    drawing_.is_doubtful = drawing_.is_doubtful || are_places_doubtful();
+    const bool is_arc = outcome_.motion == 20 || outcome_.motion == 30;
+    if (doubts_.are_of_places() || drawing_.is_doubtful) doubts_.axes |= kDrawnLetters;
+    drawing_.is_doubtful = drawing_.is_doubtful || doubts_.are_of_places();
     PlanePoint centre = from;
     int turns = 1;
     if (is_arc)
         if (auto wrong = arc_in_plane(from, to, centre, turns)) return wrong;
     Position end = target();
-    end[kDepthLetter] = program_[kDepthLetter];
-    end[kTurnLetter] = program_[kTurnLetter];
-    const AxisMask before = placed_;
+    end[kDepthLetter] = place_.program[kDepthLetter];
+    end[kTurnLetter] = place_.program[kTurnLetter];
+    const AxisMask before = place_.placed;
     note_places(static_cast<AxisMask>(words_.axes() & ~kDrawnLetters), false);
     if (drawing_.is_doubtful) {
         locate_in_polar(to, end);
-        emit_drawn(end, 1.0, feed_of_line(program_, end), true, true);
+        emit_drawn(end, 1.0, feed_of_line(place_.program, end), true, true);
         return std::nullopt;
     }
     const PolarWay way = is_arc ? PolarWay::arc(from, to, centre, sweep_rad(from, to, centre, turns))
                                 : PolarWay::line(from, to);
     if (way.length_mm() < kLeastWayMm) {
-        emit_drawn(end, 1.0, feed_of_line(program_, end), true, true);
+        emit_drawn(end, 1.0, feed_of_line(place_.program, end), true, true);
         return std::nullopt;
     }
     if (auto wrong = judge_core(way)) return wrong;
@@ -70,7 +70,7 @@ Interpreter::Fault Interpreter::draw_in_polar() {
 /// The way is that of the tip, but for a tool's length, which the program alone knows.
 Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
     const DrawingMachine& machine = options_.drawing;
-    const double tool_mm = machine_[kDepthLetter] - program_[kDepthLetter];
+    const double tool_mm = place_.machine[kDepthLetter] - place_.program[kDepthLetter];
     const double least_mm = way.least_radius_mm(0.0, 1.0);
     const auto comes_into_core = [&](std::size_t head) {
         return least_mm + tool_mm < machine.core_mm - machine.half_pulse_mm[head];
@@ -95,7 +95,7 @@ Interpreter::Fault Interpreter::judge_core(const PolarWay& way) const {
 /// `before`, has it at the end alone.
 Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Position& end, AxisMask before) {
     constexpr double kLeastChordMm = 1e-7;
-    const Position start = program_;
+    const Position start = place_.program;
     const auto beside = static_cast<AxisMask>(options_.drawing.linear_letters() & ~kDrawnLetters);
     const double length_mm = std::hypot(way.length_mm(), moved_mm(end, beside));
     const FeedAlong along{feed_of_length(length_mm), length_mm};
@@ -104,9 +104,9 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
     std::array<double, kMostHalvings> ends{1.0};
     std::size_t open = 1;
     double from = 0.0;
-    const AxisMask behind = placed_;
-    placed_ = static_cast<AxisMask>(behind & before);
-    for (std::uint64_t count = 1; open > 0 && sink_->wants_more() && !is_too_far_;) {
+    const AxisMask behind = place_.placed;
+    place_.placed = static_cast<AxisMask>(behind & before);
+    for (std::uint64_t count = 1; open > 0 && sink_->wants_more() && !outcome_.is_too_far;) {
         const double to = ends[open - 1];
         if (open < ends.size() && way.deviation_mm(from, to) > most_mm) {
             ends[open++] = from + (to - from) / 2.0;
@@ -124,7 +124,7 @@ Interpreter::Fault Interpreter::carry_out_polar(const PolarWay& way, const Posit
         const double direction_rad = std::atan2(there.second_mm, there.first_mm);
         const double turns = std::round((begin_rad + way.turned_rad(to) - direction_rad) / (2.0 * kPi));
         at[kTurnLetter] = deg_from_rad(direction_rad) + turns * kDegPerRev;
-        if (--open == 0) placed_ = behind;
+        if (--open == 0) place_.placed = behind;
         emit_drawn(at, to - from, along, from == 0.0, open == 0);
         from = to;
     }

@@ -30,7 +30,7 @@ void Interpreter::set_units() {
         problems_.add(fault(words_.column('F'), ProblemCode::feed_beside_units,
                             phrase("F stands beside new units, and counts in these")));
     modes_.mm_per_unit = mm_per_unit;
-    are_units_doubtful_ = false;
+    doubts_.units = false;
 }
 
 Interpreter::Fault Interpreter::set_feed() {
@@ -43,7 +43,7 @@ Interpreter::Fault Interpreter::set_feed() {
     if (!words_.has('F')) return std::nullopt;
     modes_.feed_number = words_.value('F');
     modes_.feed_mm = modes_.feed_number * modes_.mm_per_unit;
-    is_feed_doubtful_ = false;
+    doubts_.feed = false;
     return std::nullopt;
 }
 
@@ -129,7 +129,7 @@ void Interpreter::set_plane() noexcept {
 void Interpreter::set_distances() noexcept {
     if (words_.has(CodeGroup::distance)) {
         modes_.is_incremental = words_.code(CodeGroup::distance) == 910;
-        is_distance_doubtful_ = false;
+        doubts_.distance = false;
     }
     if (words_.has(CodeGroup::arc_distance))
         modes_.has_absolute_centres = words_.code(CodeGroup::arc_distance) == 901;
@@ -144,8 +144,8 @@ Interpreter::Fault Interpreter::set_path() {
         if (code == 640 && words_.has(letter) && words_.value(letter) < 0.0)
             return fault(words_.column(letter), ProblemCode::out_of_range,
                          phrase("a tolerance of less than 0"));
-    if (code == 640 && words_.has('Q') && !is_path_q_told_) {
-        is_path_q_told_ = true;
+    if (code == 640 && words_.has('Q') && !course_.is_path_q_told) {
+        course_.is_path_q_told = true;
         problems_.add(fault(words_.column('Q'), ProblemCode::tolerance_unused,
                             phrase("Q of G64 is not used: the tolerance of P holds for all")));
     }
@@ -193,14 +193,14 @@ Interpreter::Fault Interpreter::do_once() {
             refresh_program();
             return std::nullopt;
         case 281:
-            references_[0] = machine_;
-            are_references_set_[0] = true;
-            unknown_.references[0] = static_cast<AxisMask>(kAllLetters & ~placed_);
+            references_[0].at = place_.machine;
+            references_[0].is_set = true;
+            unknown_.references[0] = static_cast<AxisMask>(kAllLetters & ~place_.placed);
             break;
         case 301:
-            references_[1] = machine_;
-            are_references_set_[1] = true;
-            unknown_.references[1] = static_cast<AxisMask>(kAllLetters & ~placed_);
+            references_[1].at = place_.machine;
+            references_[1].is_set = true;
+            unknown_.references[1] = static_cast<AxisMask>(kAllLetters & ~place_.placed);
             break;
         case 920:
             set_shift();
@@ -227,11 +227,11 @@ Interpreter::Fault Interpreter::note_offsets() {
     KeptOffsets kept;
     offsets_.keep(kept);
     for (std::size_t which = 0; which < references_.size(); ++which)
-        if (are_references_set_[which]) kept.references[which] = references_[which];
+        if (references_[which].is_set) kept.references[which] = references_[which].at;
     if (!kept.is_within_limits())
         return fault(words_.column(CodeGroup::once), ProblemCode::out_of_range,
                      phrase("an offset beyond 1 000 000 000 mm or degrees"));
-    offsets_to_tell_ = kept;
+    outcome_.offsets = kept;
     return std::nullopt;
 }
 
@@ -257,14 +257,14 @@ Interpreter::Fault Interpreter::set_coordinates() {
         given[axis] = axis_mm(axis);
         if (kind == 2.0) offsets_.set_origin(system, axis, given[axis]);
     }
-    if (kind == 20.0) offsets_.set_current(system, machine_, words_.axes(), given);
+    if (kind == 20.0) offsets_.set_current(system, place_.machine, words_.axes(), given);
     // Where the place is not known, its new name does not locate the machine.
     const AxisMask axes = kind == 20.0 ? both_if_turned(words_.axes()) : words_.axes();
     const AxisMask unplaced =
-        both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.shift));
+        both_if_turned(static_cast<AxisMask>((kAllLetters & ~place_.placed) | unknown_.shift));
     note_unknown(unknown_.origins[system], axes, kind == 20.0 ? unplaced : AxisMask{0});
     // Of a rotation both axes.
-    if (words_.has('R') && are_values_doubtful_)
+    if (words_.has('R') && doubts_.values)
         unknown_.origins[system] |= static_cast<AxisMask>(mask_of(0) | mask_of(1));
     refresh_program();
     return note_offsets();
@@ -274,15 +274,15 @@ void Interpreter::set_shift() {
     Position given{};
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
         if ((words_.axes() & mask_of(axis)) != 0) given[axis] = axis_mm(axis);
-    offsets_.set_shift(machine_, words_.axes(), given);
-    const AxisMask unplaced =
-        both_if_turned(static_cast<AxisMask>((kAllLetters & ~placed_) | unknown_.origins[offsets_.active()]));
+    offsets_.set_shift(place_.machine, words_.axes(), given);
+    const AxisMask unplaced = both_if_turned(
+        static_cast<AxisMask>((kAllLetters & ~place_.placed) | unknown_.origins[offsets_.active()]));
     note_unknown(unknown_.shift, words_.axes(), unplaced);
 }
 
 /// Zeros that the block sets: those of unplaced axes, and all where the words are doubtful, are not known.
 void Interpreter::note_unknown(AxisMask& zeros, AxisMask axes, AxisMask unplaced) const noexcept {
-    zeros = static_cast<AxisMask>((zeros & ~axes) | (axes & (are_words_doubtful() ? axes : unplaced)));
+    zeros = static_cast<AxisMask>((zeros & ~axes) | (axes & (doubts_.are_of_words() ? axes : unplaced)));
 }
 
 void Interpreter::go_to_reference(std::size_t which) {
@@ -290,13 +290,13 @@ void Interpreter::go_to_reference(std::size_t which) {
     const Position between = target();
     note_places(words_.axes(), false);
     rapid_to(between);
-    Position home = machine_;
+    Position home = place_.machine;
     for (std::size_t axis = 0; axis < kLetterCount; ++axis)
-        if ((axes & mask_of(axis)) != 0) home[axis] = references_[which][axis];
+        if ((axes & mask_of(axis)) != 0) home[axis] = references_[which].at[axis];
     note_places(axes, true);
     const AxisMask unknown = static_cast<AxisMask>(axes & unknown_.references[which]);
-    placed_ = static_cast<AxisMask>(placed_ & ~unknown);
-    doubtful_ |= unknown;
+    place_.placed = static_cast<AxisMask>(place_.placed & ~unknown);
+    doubts_.axes |= unknown;
     rapid_to(offsets_.to_program(home));
 }
 
@@ -305,15 +305,15 @@ Interpreter::Fault Interpreter::stop() {
     if (code == kNoCode) return std::nullopt;
     if (code == 98 || code == 99) return want_jump(code);
     emit(code == 2 || code == 30 ? CanonKind::end : CanonKind::stop, code, 0.0);
-    has_ended_ = code == 2 || code == 30;
+    course_.has_ended = code == 2 || code == 30;
     return std::nullopt;
 }
 
 Interpreter::Fault Interpreter::want_jump(int code) {
     const std::uint32_t column = words_.column(CodeGroup::stop);
-    jump_ = {code, 0, 1, column};
+    outcome_.jump = {code, 0, 1, column};
     if (code == 99) return std::nullopt;
-    jump_.code = 0;
+    outcome_.jump.code = 0;
     if (!words_.has('P'))
         return fault(column, ProblemCode::word_missing, phrase("M98 has no P, the number of the subroutine"));
     if (!is_whole(words_.value('P')))
@@ -321,8 +321,8 @@ Interpreter::Fault Interpreter::want_jump(int code) {
     if (words_.value('P') < 0.0)
         return fault(words_.column('P'), ProblemCode::out_of_range,
                      phrase("P is the number of a subroutine"));
-    jump_ = {code, static_cast<std::uint64_t>(words_.value('P')), 1, column};
-    if (words_.has('L')) jump_.times = static_cast<std::uint64_t>(words_.value('L'));
+    outcome_.jump = {code, static_cast<std::uint64_t>(words_.value('P')), 1, column};
+    if (words_.has('L')) outcome_.jump.times = static_cast<std::uint64_t>(words_.value('L'));
     return std::nullopt;
 }
 

@@ -80,13 +80,13 @@ StateAnswer Interpreter::program_place(std::size_t axis) const noexcept {
                 (axis == kDepthLetter ? drawing_.place.first_mm : drawing_.place.second_mm) / unit_mm,
                 !drawing_.is_doubtful};
     const AxisMask needed = both_if_turned(mask_of(axis));
-    const bool is_certain = (placed_ & needed) == needed && (unknown_zeros() & needed) == 0;
-    return {Kind::value, program_[axis] / (is_rotary(axis) ? 1.0 : unit_mm), is_certain};
+    const bool is_certain = (place_.placed & needed) == needed && (unknown_zeros() & needed) == 0;
+    return {Kind::value, place_.program[axis] / (is_rotary(axis) ? 1.0 : unit_mm), is_certain};
 }
 
 StateAnswer Interpreter::machine_place(std::size_t axis) const noexcept {
-    return {Kind::value, machine_[axis] / (is_rotary(axis) ? 1.0 : modes_.mm_per_unit),
-            (placed_ & mask_of(axis)) != 0};
+    return {Kind::value, place_.machine[axis] / (is_rotary(axis) ? 1.0 : modes_.mm_per_unit),
+            (place_.placed & mask_of(axis)) != 0};
 }
 
 StateAnswer Interpreter::numbered(std::uint32_t number) const {
@@ -96,7 +96,7 @@ StateAnswer Interpreter::numbered(std::uint32_t number) const {
     for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
         const auto axis = row_place(number, which == 0 ? kFirstReference : kSecondReference);
         if (axis)
-            return {Kind::value, references_[which][*axis],
+            return {Kind::value, references_[which].at[*axis],
                     (unknown_.references[which] & mask_of(*axis)) == 0};
     }
     if (number == kShift - 1) return truth_of(offsets_.is_shifted());
@@ -122,7 +122,7 @@ StateAnswer Interpreter::named(std::string_view name) const {
 
 StateAnswer Interpreter::mode(std::string_view name) const noexcept {
     const bool is_inch = modes_.mm_per_unit != 1.0;
-    if (name == "_line") return known(static_cast<double>(line_));
+    if (name == "_line") return known(static_cast<double>(course_.line));
     if (name == "_motion_mode") return known(modes_.motion);
     const Plane* plane = is_drawing(DrawnMode::none) ? modes_.plane : drawing_.plane_before;
     if (name == "_plane") return known(plane == &kPlaneXy ? 170 : (plane == &kPlaneZx ? 180 : 190));

@@ -16,7 +16,8 @@ namespace psicarve::gcode {
 /// Reads a program's lines in the order in which they are executed, and has each carried out.
 ///
 /// Where a program with O words has an error, it is not known which way it would go on: what follows is read
-/// for how it is written alone.
+/// for how it is written alone. Its members: who carries lines out, how far the reading is, and counts that
+/// bound the work of loops; each of the last would be a class of one number.
 class ProgramReader {
 public:
     /// All outlive the reader.

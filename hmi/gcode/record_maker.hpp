@@ -23,7 +23,8 @@ struct RunOptions {
 
 /// Makes canonical motion into the records that the core takes (docs/gcode.md). In constant memory, one
 /// record behind. Requires a program that MachineCheck has nothing against, and whose start is known
-/// (InterpreterOptions): what it cannot carry out ends it with an error.
+/// (InterpreterOptions): what it cannot carry out ends it with an error. Its members: what the run and the
+/// profile settle once, and the state of the motion so far, all of which each record needs.
 class RecordMaker : public CanonSink {
 public:
     /// The sink outlives the maker.

@@ -16,7 +16,7 @@
 namespace psicarve::program {
 
 /// The program that is open in a window: read, judged, started, watched. Outlives the views that show it. One
-/// owner's thread.
+/// owner's thread. Its members: parts (decoder, text, process), and what was started last.
 class ProgramDesk {
 public:
     static constexpr std::size_t kMostBlocks = 100;  ///< typed ones that are remembered

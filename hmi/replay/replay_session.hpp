@@ -21,7 +21,8 @@
 namespace psicarve::replay {
 
 /// The recording that a window shows instead of the machine. Threads of its own read files; the owner calls
-/// poll() and never waits. All calls come from one thread, the owner's.
+/// poll() and never waits. All calls come from one thread, the owner's. Its members: the recording, what of
+/// it is shown, and for each of three threads what it and the owner tell each other.
 class ReplaySession {
 public:
     using Clock = std::chrono::steady_clock;

@@ -21,6 +21,7 @@ void FileWatch::watch(const std::string& path, const std::optional<Stamp>& opene
     path_ = path;
     opened_ = opened;
     has_changed_ = false;
+    is_change_taken_ = false;
 }
 
 void FileWatch::poll(Clock::time_point now) {

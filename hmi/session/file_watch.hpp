@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hmi/session/background_queue.hpp"
 
@@ -31,13 +32,18 @@ public:
     void poll(Clock::time_point now);
     /// The state in which it was opened.
     const std::optional<Stamp>& opened() const noexcept { return opened_; }
+    /// The file that it watches; empty: none.
+    const std::string& path() const noexcept { return path_; }
     /// A missing file has not changed: many programs write another and move it here.
     bool has_changed() const noexcept { return has_changed_; }
+    /// The same, but true only once after each watch(): for a report.
+    bool take_change() noexcept { return has_changed_ && !std::exchange(is_change_taken_, true); }
 
 private:
     std::string path_;
     std::optional<Stamp> opened_;
     bool has_changed_ = false;
+    bool is_change_taken_ = false;
     Clock::time_point next_look_{};
     BackgroundQueue queue_;  // last: its thread uses the others
 };

@@ -21,7 +21,8 @@ namespace psicarve::session {
 /// What the job's tool leaves of its blank, from the increments that the core reports, cut in the background
 /// by a thread of its own. Layers with lost increments, layers that were not seen, or that came faster than
 /// they could be cut, are cut as the job says once they are done. The owner waits for it only in the
-/// destructor, and then for one place to be cut, or one piece to be copied.
+/// destructor, and then for one place to be cut, or one piece to be copied. Its members: the owner's half,
+/// the half of its thread, and between them what both may touch; in this order, told apart below.
 class LivePiece {
 public:
     /// The machine at one time.

@@ -16,13 +16,14 @@ namespace {
 using machine::MachineLink;
 
 constexpr std::chrono::milliseconds kAttachPause{200};
-constexpr std::chrono::milliseconds kDiskPause{1000};
 
 }  // namespace
 
 MachineSession::MachineSession(SessionOptions options, MessageLog& log)
     : options_(std::move(options)),
       log_(log),
+      profile_(options_.find_profile),
+      saved_piece_(options_.segment_name, options_.group, options_.state_folder),
       jog_(
           options_.segment_name, options_.group,
           [this](const Error& error, bool is_of_test) {
@@ -31,22 +32,14 @@ MachineSession::MachineSession(SessionOptions options, MessageLog& log)
           [this](const psicarve::Message& remark) { tell_remark(phrase("By hand"), remark); },
           options_.hand_limit) {
     view_.watched_since = std::chrono::system_clock::now();
-    if (options_.profile) offer_profile(*options_.profile);
-    offer_profile(Profile{});
+    if (options_.profile) profile_.offer(*options_.profile);
+    profile_.offer(Profile{});
 }
 
 void MachineSession::set_profile(const Profile& profile) {
     options_.profile = profile;
-    offer_profile(profile);
-    core_profile_hash_ = 0;  // it may be the built-in one, which is known
-}
-
-void MachineSession::offer_profile(const Profile& profile) {
-    const std::uint64_t hash = profile_hash(profile);
-    const auto is_it = [hash](const KnownProfile& known) { return known.hash == hash; };
-    if (std::any_of(profiles_.begin(), profiles_.end(), is_it)) return;
-    profiles_.push_back({hash, profile});
-    core_profile_hash_ = 0;  // look again
+    profile_.offer(profile);
+    profile_.forget();  // it may be the built-in one, which is known
 }
 
 void MachineSession::take_accepted(const Profile* of_job) {
@@ -60,20 +53,22 @@ void MachineSession::take_accepted(const Profile* of_job) {
 void MachineSession::poll() {
     finder_.deliver();
     deliver_forgetting();
-    profile_finder_.deliver();
+    profile_.poll();
     orders_.deliver();
     const MachineView before = view_;
     keep_attached();
     look();
-    look_for_saved_piece();
+    // Whose piece it may be is not known before the first look.
+    if (has_looked_)
+        saved_piece_.poll(link_ ? link_->segment().core_keeping() : CoreKeeping{}, view_, Clock::now());
     refused_.look(view_);
     if (jogs_asked_ != jog_.asked()) refused_.forget();
     jogs_asked_ = jog_.asked();
     jog_.poll();
     for (Message& message : changes_between(before, view_)) log_.add(std::move(message));
     go_on_with_start();
-    send_override(CommandKind::override, wanted_override_percent_, phrase("Feed override"));
-    send_override(CommandKind::rapid_override, wanted_rapid_percent_, phrase("Override of rapids"));
+    send_override(CommandKind::override, wanted_.feed_percent, phrase("Feed override"));
+    send_override(CommandKind::rapid_override, wanted_.rapid_percent, phrase("Override of rapids"));
 }
 
 // One after another; no reason to drop a start that is under way.
@@ -133,23 +128,23 @@ void MachineSession::look() {
         view_.core_pid = *pid;
         view_.is_core_of_first_look = !has_looked_;
         view_.port_name.clear();
-        heartbeat_ = 0;
-        heartbeat_changed_ = now;  // a core that has just begun gets its time to write
+        heartbeat_.count = 0;
+        heartbeat_.changed = now;  // a core that has just begun gets its time to write
     }
     has_looked_ = true;
     if (pid && view_.port_name.empty()) view_.port_name = link_->port_name();
     const ProgramStatus program_before = program_report(link_->segment()).status;
     const auto status = link_->last_status();
-    if (status && status->heartbeat != heartbeat_) {
-        heartbeat_ = status->heartbeat;
-        heartbeat_changed_ = now;
+    if (status && status->heartbeat != heartbeat_.count) {
+        heartbeat_.count = status->heartbeat;
+        heartbeat_.changed = now;
         take_program(program_before, *status);
         take_status(*status, pid.has_value());
     }
-    const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_changed_);
+    const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heartbeat_.changed);
     view_.life = core_life(pid.has_value(), silence);
-    find_profile();
-    look_for_profile();
+    profile_.look(link_->segment().header().core_profile_hash.load(), options_.profile, view_);
+    profile_.search(view_);
     look_for_checkpoint();
 }
 
@@ -202,72 +197,16 @@ void MachineSession::look_for_checkpoint() {
     view_.is_checkpoint_from_disk = checkpoint->is_from_disk();
 }
 
-void MachineSession::look_for_saved_piece() {
-    if (!has_looked_) return;  // whose piece it may be is not known yet
-    auto found = disk_.take();
-    const bool is_wanted = may_be_saved(view_) || view_.is_checkpoint_from_disk;
-    if (!is_wanted) {
-        saved_looked_ = {};  // the next request asks at once
-        return view_.saved_piece.reset();
-    }
-    const bool has_status = view_.is_heard() && view_.status;
-    const auto kind = has_status ? std::optional{view_.is_simulator()} : std::nullopt;
-    if (std::exchange(saved_kind_, kind) != kind) saved_looked_ = {};
-    if (found) view_.saved_piece = std::move(*found);
-    const auto& shown = view_.saved_piece;
-    if (shown && kind && shown->saved.name().is_simulator != *kind) view_.saved_piece.reset();
-    const auto now = Clock::now();
-    if (disk_.is_under_way() || now - saved_looked_ < kDiskPause) return;
-    saved_looked_ = now;
-    const CoreKeeping core = link_ ? link_->segment().core_keeping() : CoreKeeping{};
-    disk_.begin([name = options_.segment_name, kind, folder = options_.state_folder, core] {
-        return find_unfinished(name, kind, folder, core);
-    });
-}
-
 void MachineSession::forget_piece(const RecordName& record) {
-    if (watches_only_ || forgetting_.is_under_way()) return;
-    forgetting_.begin([name = options_.segment_name, group = options_.group, folder = options_.state_folder,
-                       record] { return machine::forget_piece(name, group, folder, record); });
+    if (!watches_only_) saved_piece_.forget(record);
 }
 
 void MachineSession::deliver_forgetting() {
-    const auto done = forgetting_.take();
+    const auto done = saved_piece_.take_forgotten();
     if (!done) return;
-    saved_looked_ = {};  // what is known of it is past
     if (!*done) return log_.add(Severity::warning, refusal_phrase(phrase("Forget"), done->error()));
     view_.saved_piece.reset();
     log_.add(Severity::info, phrase("The unfinished piece is forgotten."));
-}
-
-void MachineSession::find_profile() {
-    const std::uint64_t hash = link_->segment().header().core_profile_hash.load();
-    if (hash == core_profile_hash_) return;
-    core_profile_hash_ = hash;
-    const bool is_other = hash != 0 && options_.profile && profile_hash(*options_.profile) != hash;
-    view_.unused_profile = is_other ? options_.profile->name : std::string{};
-    view_.core_profile_hash = hash;
-    view_.profile.reset();
-    view_.is_profile_of_job = false;
-    for (const KnownProfile& known : profiles_) {
-        if (known.hash == hash) view_.profile = known.profile;
-    }
-}
-
-/// Once for each core whose profile is not known.
-void MachineSession::look_for_profile() {
-    const std::uint64_t hash = view_.core_profile_hash;
-    const bool is_known = view_.profile && !view_.is_profile_of_job;
-    if (is_known || hash == 0 || !view_.is_heard() || !profile_finder_.is_idle()) return;
-    if (sought_hash_ == hash && sought_pid_ == view_.core_pid) return;
-    sought_hash_ = hash;
-    sought_pid_ = view_.core_pid;
-    profile_finder_.post(
-        [this, hash, pid = view_.core_pid, find = options_.find_profile]() -> BackgroundQueue::Finish {
-            return [this, found = find(pid, hash)] {
-                if (found) offer_profile(*found);
-            };
-        });
 }
 
 void MachineSession::go_on_with_start() {
@@ -280,8 +219,8 @@ void MachineSession::go_on_with_start() {
 void MachineSession::forget_wishes() noexcept {
     intent_.drop();
     orders_.drop_waiting();
-    wanted_override_percent_.reset();
-    wanted_rapid_percent_.reset();
+    wanted_.feed_percent.reset();
+    wanted_.rapid_percent.reset();
     jog_.release();
     refused_.forget();
 }

@@ -10,13 +10,14 @@
 
 #include "hmi/machine/core_profile.hpp"
 #include "hmi/machine/forget_piece.hpp"
-#include "hmi/machine/loose_work.hpp"
 #include "hmi/machine/machine_link.hpp"
 #include "hmi/session/background_queue.hpp"
 #include "hmi/session/jog_hand.hpp"
 #include "hmi/session/machine_view.hpp"
 #include "hmi/session/message_log.hpp"
+#include "hmi/session/profile_of_core.hpp"
 #include "hmi/session/refused_order.hpp"
+#include "hmi/session/saved_piece_watch.hpp"
 #include "hmi/session/start_intent.hpp"
 #include "hmi/session/tick_health.hpp"
 #include "shared/machine/command.hpp"
@@ -45,7 +46,8 @@ struct SessionOptions {
 
 /// The machine for a window: attaches whenever there is a segment, poll() reads it, orders go to it. No call
 /// waits for the core: a thread of its own sends orders, stop and emergency stop are one store. All calls
-/// come from one thread, the owner's.
+/// come from one thread, the owner's. Its members: parts, each for one question to the machine, and what of
+/// attaching and of orders under way is none of theirs.
 class MachineSession {
 public:
     MachineSession(SessionOptions options, MessageLog& log);
@@ -57,7 +59,7 @@ public:
     /// Chosen by the user, as in the options.
     void set_profile(const Profile& profile);
     /// Offers a profile that may be the machine's: a job's.
-    void offer_profile(const Profile& profile);
+    void offer_profile(const Profile& profile) { profile_.offer(profile); }
     /// The profile of the job that the core has accepted; null: there is none, or it is not known. The core
     /// accepts only jobs whose motion matches its own: where its profile is unknown, mm and degrees are
     /// calculated by this one.
@@ -92,15 +94,15 @@ public:
     void forget_piece(const RecordName& record);
     /// The newest value is sent as soon as the one before is answered.
     void set_override(std::uint32_t percent) noexcept {
-        if (!watches_only_) wanted_override_percent_ = percent;
+        if (!watches_only_) wanted_.feed_percent = percent;
     }
     /// The same of a program's rapid ways.
     void set_rapid_override(std::uint32_t percent) noexcept {
-        if (!watches_only_) wanted_rapid_percent_ = percent;
+        if (!watches_only_) wanted_.rapid_percent = percent;
     }
     /// The core may still show the old percentages.
     bool is_override_under_way() const {
-        return wanted_override_percent_ || wanted_rapid_percent_ || !orders_.is_idle();
+        return wanted_.feed_percent || wanted_.rapid_percent || !orders_.is_idle();
     }
     /// The last order that was refused, while that holds; also a jog or an output's test.
     const std::optional<OrderRefusal>& refused_order() const noexcept { return refused_.told(); }
@@ -122,11 +124,16 @@ public:
     JogHand& jog() noexcept { return jog_; }
 
 private:
-    struct KnownProfile {
-        std::uint64_t hash;
-        Profile profile;
-    };
     using Clock = std::chrono::steady_clock;
+    struct Heartbeat {
+        std::uint64_t count = 0;
+        Clock::time_point changed{};
+    };
+    /// Overrides that are not sent yet.
+    struct WantedOverrides {
+        std::optional<std::uint32_t> feed_percent{};
+        std::optional<std::uint32_t> rapid_percent{};
+    };
     using Then = std::function<void()>;
 
     void send(const Command& command, const Phrase& name, Then then, Then otherwise = {});
@@ -135,10 +142,7 @@ private:
     void look();
     void take_program(const ProgramStatus& before, const CoreStatus& status);
     void take_status(const CoreStatus& status, bool has_core);
-    void find_profile();
-    void look_for_profile();
     void look_for_checkpoint();
-    void look_for_saved_piece();
     void deliver_forgetting();
     void go_on_with_start();
     void forget_wishes() noexcept;
@@ -151,31 +155,21 @@ private:
     MachineView view_;
     std::optional<machine::MachineLink> link_;
     std::optional<RingReader<IncrementEntry, kIncrementRingEntries>> increments_;  // of link_
-    std::vector<KnownProfile> profiles_;
-    std::uint64_t core_profile_hash_ = 0;
-    std::uint64_t sought_hash_ = 0;  ///< of the profile that was searched in files
-    std::uint32_t sought_pid_ = 0;
+    ProfileOfCore profile_;
+    SavedPieceWatch saved_piece_;
     MissedMeter missed_;
-    std::uint64_t heartbeat_ = 0;
-    Clock::time_point heartbeat_changed_{};
+    Heartbeat heartbeat_;
     Clock::time_point attach_tried_{};
-    Clock::time_point saved_looked_{};
-    std::optional<bool> saved_kind_;  ///< of the machine heard then: simulated; nothing: none was heard
     std::optional<Clock::time_point> unsigned_since_;  ///< so long the lock's words name no living process
     StartIntent intent_;
     bool has_looked_ = false;  ///< has looked for a core, and knows whether one was there
     bool watches_only_ = false;
-    std::optional<std::uint32_t> wanted_override_percent_;
-    std::optional<std::uint32_t> wanted_rapid_percent_;
+    WantedOverrides wanted_;
     RefusedOrder refused_;
     std::uint64_t jogs_asked_ = 0;
     std::string told_remark_;  ///< the last, in English: a key that is pressed again says nothing new
     JogHand jog_;
     BackgroundQueue finder_;
-    machine::LooseWork<std::optional<FoundCheckpoint>> disk_;         ///< may hang
-    machine::LooseWork<Result<machine::ForgottenPiece>> forgetting_;  ///< may hang
-    BackgroundQueue profile_finder_{
-        BackgroundQueue::Haste::background};  ///< a disk that hangs must not delay attaching
     BackgroundQueue orders_;
 };
 

@@ -16,7 +16,8 @@ namespace psicarve::verify {
 
 /// Reads a value-change dump (IEEE 1364, four-state) as our writer and other tools make it: any timescale and
 /// scopes, vectors of one bit, x and z as 0. Finds wires by the signals' names. A wire that changes twice at
-/// one instant keeps both changes.
+/// one instant keeps both changes. Its members: parts, and the state of one pass through the file, in which
+/// each word may change any of it.
 class VcdReader final : public TraceReader {
 public:
     /// Waits for the declarations and the values at the first instant.

@@ -24,7 +24,8 @@ class QTableWidget;
 namespace psicarve::ui {
 
 /// Asks for what is measured at the heads, step by step, shows what it makes of the machine's profile, and
-/// writes that. Stays open beside the window, whose panels bring the heads to the pin.
+/// writes that. Stays open beside the window, whose panels bring the heads to the pin. Its members: the
+/// profile as read and as measured, and widgets.
 class CalibrationDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CalibrationDialog)
 public:

@@ -26,7 +26,7 @@ namespace psicarve::ui {
 class AxisTable;
 
 /// The blank as it is being carved, and both heads: from what the core reports, not from what was asked of
-/// it.
+/// it. Its members: widgets, and what was drawn last, so that it draws only what has changed.
 class CarvingPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::CarvingPage)
 public:

@@ -18,7 +18,7 @@ class OrderCard;
 class JobPairView;
 class PreflightList;
 
-/// The job: what it is, what is missing before it can start, and its buttons.
+/// The job: what it is, what is missing before it can start, and its buttons. Its members: widgets.
 class JobPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JobPanel)
 public:

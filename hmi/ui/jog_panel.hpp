@@ -24,7 +24,7 @@ class MoveDialog;
 class OrderCard;
 
 /// Moves one axis by hand: a click is a step, holding the button goes on until it is let go. Likewise with
-/// the keyboard, while that is armed.
+/// the keyboard, while that is armed. Its members: widgets, and the press that is under way.
 class JogPanel : public Dock {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::JogPanel)
 public:

@@ -26,7 +26,7 @@ class RadiusPlot;
 class TickBox;
 
 /// The job layer by layer and point by point; while it is carved, where the machine is, until another place
-/// is chosen.
+/// is chosen. Its members: widgets, and what they show, so that it draws only what has changed.
 class LayersPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::LayersPage)
 public:

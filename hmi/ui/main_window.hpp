@@ -42,7 +42,9 @@ class Strip;
 /// What is to become of a machine that moves when the window closes.
 enum class CloseChoice : std::uint8_t { stay_open, leave_running, hold, stop };
 
-/// The operator's window. Looks at the machine at screen rate and never waits for it.
+/// The operator's window. Looks at the machine at screen rate and never waits for it. Its members: the window
+/// context, menus, panels, bars and pages that it puts together, and what keeps settings and keys; what each
+/// does stands in its own header.
 class MainWindow : public QMainWindow {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MainWindow)
 public:

@@ -21,7 +21,8 @@ class QLabel;
 namespace psicarve::ui {
 
 /// Something in space: turned with the left button, moved with the right, zoomed with the wheel. Redrawn only
-/// when something changed; coarser while it is being turned. A drawing that fails goes on without OpenGL.
+/// when something changed; coarser while it is being turned. A drawing that fails goes on without OpenGL. Its
+/// members: what is in space, the canvas and the labels over it.
 class MeshView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::MeshView)
 public:

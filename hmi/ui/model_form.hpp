@@ -23,7 +23,8 @@ class PassForm;
 class PictureForm;
 struct Tokens;
 
-/// How a model stands in the machine, and how it is sliced: what `psicarve slice` takes as options.
+/// How a model stands in the machine, and how it is sliced: what `psicarve slice` takes as options. Its
+/// members: a widget for each option.
 class ModelForm : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ModelForm)
 public:

@@ -29,7 +29,8 @@ class WarningList;
 class WorkBar;
 struct Tokens;
 
-/// The model, how it is to stand and be sliced, and what was noticed about it.
+/// The model, how it is to stand and be sliced, and what was noticed about it. Its members: panels and
+/// widgets, and what they show, so that it draws only what has changed.
 class ModelPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ModelPage)
 public:

@@ -29,7 +29,8 @@ class CalibrationDialog;
 class ProfileRow;
 
 /// The machine profile, key by key: typed values are checked at once, and what is saved keeps the file's
-/// comments and a backup. The machine's own profile is the one that its core was started with.
+/// comments and a backup. The machine's own profile is the one that its core was started with. Its members:
+/// rows, widgets, and the values of the core that stand beside them.
 class ProfilePage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ProfilePage)
 public:

@@ -33,7 +33,7 @@ class RapidOverride;
 class TickBox;
 
 /// A program in G-code: its text, what is wrong with it, its path, how it is run and where it is; and one
-/// block typed by hand.
+/// block typed by hand. Its members: widgets, and which edition of the program they show.
 class ProgramPage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ProgramPage)
 public:

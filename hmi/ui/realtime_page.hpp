@@ -25,7 +25,8 @@ class ComputerTable;
 class HistogramView;
 class LatencyPanel;
 
-/// How punctual the core is: the histogram of its ticks' lateness, what was missed, and rates.
+/// How punctual the core is: the histogram of its ticks' lateness, what was missed, and rates. Its members:
+/// widgets, a label for each figure.
 class RealtimePage : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::RealtimePage)
 public:

@@ -20,7 +20,7 @@ namespace psicarve::ui {
 
 class TimelineView;
 
-/// Plays a recording: only there while one is shown or read.
+/// Plays a recording: only there while one is shown or read. Its members: widgets, and what they show.
 class ReplayBar : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::ReplayBar)
 public:

@@ -20,7 +20,8 @@ namespace psicarve::ui {
 
 class StatePill;
 
-/// The fixed top of the window: menu, state, heartbeat, what machine it is, progress, emergency stop.
+/// The fixed top of the window: menu, state, heartbeat, what machine it is, progress, emergency stop. Its
+/// members: widgets.
 class Strip : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(psicarve::ui::Strip)
 public:

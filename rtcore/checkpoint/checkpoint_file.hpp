@@ -23,7 +23,8 @@ namespace psicarve::supervisor {
 /// Keeps the checkpoint of the segment on a disk, too, with a copy of the job, for when the computer is
 /// switched off. Threads of its own write; the caller never waits. A slow disk gets only the newest. A failed
 /// write is reported once; a file that claims more than is carved of the present piece is then removed, or,
-/// where that fails, reported as false. Used by one thread.
+/// where that fails, reported as false. Used by one thread. Its members: the disk with its two threads, what
+/// the disk is known to hold, and what is on its way there: all of it decides what is written next.
 class CheckpointFile {
 public:
     /// Reads what an earlier core has left; waits for a disk that hangs, but not for long.

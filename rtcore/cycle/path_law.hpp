@@ -23,7 +23,9 @@ namespace psicarve::cycle {
 ///          +--------------------------------------- u     allowed at this place and speed.
 ///
 /// What an axis may do is linear in speed2 and its slope: so between any two allowed motions lies an allowed
-/// one, and a profile scaled down is allowed. Docs: interpolation.md. RT: yes.
+/// one, and a profile scaled down is allowed. Docs: interpolation.md. RT: yes. Its members: the piece at
+/// hand, the bounds on it and where on it the clock is. They stay together, since every tick reads most of
+/// them.
 class PathLaw {
 public:
     explicit PathLaw(double period_s) noexcept : limits_(period_s) {}

@@ -25,7 +25,8 @@ struct DecidedEnds {
 ///
 /// An iteration goes through the nodes four times, twice forwards and twice backwards. What depends on the
 /// node before is slow, one division or two products after the other; everything else that a pass has to do
-/// is done meanwhile.
+/// is done meanwhile. Its members: the problem, and the memory of an iteration, kept from one curve to the
+/// next.
 class CurveFit {
 public:
     /// Bending much smaller than these accelerations [pulses/s^2] is not worth another iteration.

@@ -42,7 +42,8 @@ std::size_t bits_in(const PathCell& cell, double length);
 
 /// Cuts a timed curve into DDA segments: one from point to point where a straight line at an even
 /// acceleration stays within a quarter of a pulse of the curve at every instant, at twice the feed and on the
-/// way to a rest too, more where it does not.
+/// way to a rest too, more where it does not. Its members: the path it is given, and the line that is being
+/// tried.
 class PieceMaker {
 public:
     PieceMaker(const MachineLimits& limits, std::span<const PathPoint> points, std::uint32_t first_point,

@@ -26,7 +26,8 @@ void cells_of(const CurveNodes& nodes, std::span<const Lanes> control, std::vect
 Lanes curve_accel(const MachineLimits& limits);
 
 /// Makes a path of points into timed pieces: curve, timing, curve and timing again where that is faster,
-/// cuts. Keeps its memory from stretch to stretch.
+/// cuts. Keeps its memory from stretch to stretch. Its members: the limits in the units it plans in, its two
+/// planners, and memory for a stretch's cells.
 class StretchPlanner {
 public:
     explicit StretchPlanner(const MachineLimits& limits);

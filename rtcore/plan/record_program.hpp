@@ -31,7 +31,8 @@ namespace psicarve::plan {
 ///         that goes on       (RecedingSpeeds)
 ///
 /// So curves, cuts and pulses follow from the program alone, never from when its records came. Holds no more
-/// than that in memory.
+/// than that in memory. Its members: the limits, the window of points and what is settled in it, the planners
+/// of a part, and memory for what they make: all of it moves on with the window.
 class RecordProgram final : public Program {
 public:
     /// A part is longer than what the axes take to come to rest; blocks for two of them fill the queue by

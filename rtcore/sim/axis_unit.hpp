@@ -12,7 +12,8 @@
 namespace psicarve::sim {
 
 /// One axis from its driver's inputs to its sensor: driver, motor, screw with backlash, mechanical stops.
-/// Takes edges, not levels: the machine calls what changed, direction and enable before step. RT: yes.
+/// Takes edges, not levels: the machine calls what changed, direction and enable before step. RT: yes. Its
+/// members: parts, when each input changed last, and a counter for each way in which a pulse may be lost.
 class AxisUnit {
 public:
     AxisUnit(const AxisConfig& config, const DriverTiming& timing) noexcept;

@@ -19,7 +19,8 @@ namespace psicarve::sim {
 /// The machine behind the connector of a simulated port. It sees register bytes in time and nothing else of
 /// the core. The same bytes at the same times give bit for bit the same machine. Only one thread, the tick's,
 /// calls its methods, except report() and position_pulses(), which any may call (each number is whole, the
-/// set of them need not be of one instant). RT: yes, after construction.
+/// set of them need not be of one instant). RT: yes, after construction. Its members: parts, the registers,
+/// and times of what comes next.
 class Machine {
 public:
     explicit Machine(const SimConfig& config);

@@ -28,7 +28,8 @@ namespace psicarve::sim {
 /// limits never stalls, however little there is to spare, and one beyond them does as soon as no motion is
 /// left.
 ///
-/// Work is done at step edges alone; between them nothing is simulated. RT: yes.
+/// Work is done at step edges alone; between them nothing is simulated. RT: yes. Its members: numbers of its
+/// configuration, and the state of field and rotor.
 class Motor {
 public:
     Motor(const MotorConfig& config, std::int64_t start_pulses) noexcept;

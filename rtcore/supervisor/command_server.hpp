@@ -20,7 +20,8 @@
 namespace psicarve::supervisor {
 
 /// Carries commands from the segment to the tick and answers back. Everything in a command is checked here:
-/// the tick only sees requests that make sense.
+/// the tick only sees requests that make sense. Its members: whom it asks, what waits for an answer, and why
+/// it refuses.
 class CommandServer {
 public:
     /// Profile, listener and memory outlive the server.

@@ -29,7 +29,8 @@ enum class Hearing : std::uint8_t { everything, urgent_words };
 
 /// Serves the segment: jobs and commands in, status, increments and flight recorder out, all through the
 /// lock-free rings to the tick. Besides its StopListener nothing in the core touches shared memory. One
-/// thread's; not for the tick.
+/// thread's; not for the tick. Its members: parts, each for one thing that is served, and what of jobs, of
+/// the segment and of the end is none of theirs.
 class Supervisor {
 public:
     Supervisor(CoreParts& parts, const SegmentOptions& segment_options, Segment segment,

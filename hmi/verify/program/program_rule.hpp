@@ -55,7 +55,9 @@ struct ProgramBounds {
 ///     both;
 ///                  end k is near                 where none is left, that is a breach
 ///
-/// A program begins where the trace does, or where homing has last defined the positions.
+/// A program begins where the trace does, or where homing has last defined the positions. Its members: the
+/// window of ways and the place in it, the state of the pins at the last instant, and what is counted for the
+/// report; each instant reads and changes some of each.
 class ProgramRule : public PositionJudge {
 public:
     /// The log outlives the rule.

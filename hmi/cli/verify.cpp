@@ -95,7 +95,9 @@ Result<JobToJudge> job_of_trace(const CommonOptions& common, const VerifyOptions
     if (!job) return job.error();
     JobToJudge found{std::move(*job), {options.layers}};
     if (has_layers(options)) return found;
-    if (const auto asked = verify::asked_carving(found.job.view, records, points_done)) found.asked = *asked;
+    if (const auto asked =
+            verify::asked_carving(found.job.view, records, points_done, verify::TraceHolds::the_last_ones))
+        found.asked = *asked;
     return found;
 }
 

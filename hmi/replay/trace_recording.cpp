@@ -94,8 +94,9 @@ void TraceRecording::warn(Phrase warning) {
 bool TraceRecording::records_fit(const std::vector<FlightRecord>& records, const RecordStates& states) {
     const std::int64_t period_ns = index_->start().period_ns;
     const std::size_t stride = std::max<std::size_t>(records.size() / kProbes, 1);
-    for (std::size_t i = 0; i < records.size(); i += stride) {
-        const FlightRecord& record = records[i];
+    // The last entry, too: an earlier run may have come as far at the same ticks.
+    for (std::size_t i = 0; i < records.size() + stride - 1; i += stride) {
+        const FlightRecord& record = records[std::min(i, records.size() - 1)];
         if (record.tick > static_cast<std::uint64_t>(facts_.end_ns / period_ns)) return false;
         CoreStatus before{};
         if (record.tick > 0) states.fill(before, record.tick - 1);

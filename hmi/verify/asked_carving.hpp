@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,17 @@ struct AskedCarving {
     bool ends_there = false;
     /// So many of the points are to have been carved although it may end early.
     std::uint64_t least_points = 0;
+    /// So many attempts behind the last that came to its second point may lead the heads in and no further:
+    /// those of starts that were called off.
+    std::uint64_t most_vain_starts = std::numeric_limits<std::uint64_t>::max();
+    /// So many came to their second point.
+    std::uint64_t least_runs = 0;
+};
+
+/// What a trace holds of the runs that a flight recorder tells of.
+enum class TraceHolds {
+    all_runs,      ///< a replay of it, or the very core's
+    the_last_ones  ///< at the least: it may have begun later
 };
 
 /// What the starts in a flight recorder, oldest record first, asked for of its newest job, from where a
@@ -28,6 +40,7 @@ struct AskedCarving {
 /// where there are no others. `points_done`: of the whole job, as the status beside the records has it; 0:
 /// not known. Nothing: there is none.
 std::optional<AskedCarving> asked_carving(const JobView& job, std::span<const FlightRecord> records,
-                                          std::uint64_t points_done = 0);
+                                          std::uint64_t points_done = 0,
+                                          TraceHolds holds = TraceHolds::all_runs);
 
 }  // namespace psicarve::verify

@@ -2,37 +2,45 @@
 #include "hmi/verify/attempt_ledger.hpp"
 
 namespace psicarve::verify {
+namespace {
+
+void keep_earlier(std::optional<Offence>& first, const std::optional<Offence>& other) {
+    if (other && (!first || other->time_ns < first->time_ns)) first = other;
+}
+
+}  // namespace
 
 void AttemptLedger::begin_anew() {
-    at_begin_ = log_.result(1);
-    is_holding_ = false;
+    held_ = {};
+    go_on();
 }
 
 void AttemptLedger::go_on() {
-    count_held();
-    begin_anew();
+    at_begin_ = log_.result(1);
 }
 
 void AttemptLedger::end() {
-    held_ = log_.result(1);
-    held_before_ = at_begin_.offences;
-    is_holding_ = true;
+    const RuleResult now = log_.result(1);
+    held_.offences += now.offences - at_begin_.offences;
+    keep_earlier(held_.first, now.first);
     log_.restore(1, at_begin_);
 }
 
+void AttemptLedger::end_in_vain(const Kept& before) {
+    held_ = before.held;
+    end();
+}
+
 void AttemptLedger::count_held() {
-    if (!is_holding_) return;
     RuleResult all = log_.result(1);
-    all.offences += held_.offences - held_before_;
-    if (held_.first && (!all.first || held_.first->time_ns < all.first->time_ns)) all.first = held_.first;
+    all.offences += held_.offences;
+    keep_earlier(all.first, held_.first);
     log_.restore(1, all);
 }
 
 void AttemptLedger::restore(const Kept& earlier) {
     log_.restore(1, earlier.result);
     held_ = earlier.held;
-    held_before_ = earlier.held_before;
-    is_holding_ = earlier.is_holding;
 }
 
 }  // namespace psicarve::verify

@@ -2,42 +2,49 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "hmi/verify/offence_log.hpp"
 
 namespace psicarve::verify {
 
-/// Which attempts' breaches of rule 1 count: an attempt that has ended is held back from the log until
-/// another goes on from it, or nothing follows; one that begins anew drops it.
+/// Which attempts' breaches of rule 1 count. Those of attempts that have ended are held back from the log: of
+/// the last that began anew, and of all that went on from it. Where nothing follows they count; one that
+/// begins anew drops them.
 class AttemptLedger {
 public:
     /// The log outlives it.
     explicit AttemptLedger(OffenceLog& log) noexcept : log_(log) {}
 
-    void begin_anew();
-    /// What the last attempt did wrong counts, too.
-    void go_on();
-    /// Takes the attempt's breaches out of the log.
-    void end();
-    /// Nothing follows the last attempt.
-    void count_held();
-
+    /// Of attempts that have ended.
+    struct Held {
+        std::uint64_t offences = 0;
+        std::optional<Offence> first;
+    };
     /// Log and what is held at some instant.
     struct Kept {
         RuleResult result;
-        RuleResult held;
-        std::uint64_t held_before = 0;
-        bool is_holding = false;
+        Held held;
     };
-    Kept kept() const { return {log_.result(1), held_, held_before_, is_holding_}; }
+
+    void begin_anew();
+    /// What the attempts before did wrong counts, too.
+    void go_on();
+    /// Takes the attempt's breaches out of the log.
+    void end();
+    /// The same of an attempt that began anew and carved nothing: what those before it did wrong is held with
+    /// its own.
+    void end_in_vain(const Kept& before);
+    /// Nothing follows the last attempt.
+    void count_held();
+
+    Kept kept() const { return {log_.result(1), held_}; }
     void restore(const Kept& earlier);
 
 private:
     OffenceLog& log_;
-    RuleResult at_begin_;            ///< of the attempt
-    RuleResult held_;                ///< of the last attempt, which has ended
-    std::uint64_t held_before_ = 0;  ///< offences before that attempt
-    bool is_holding_ = false;
+    RuleResult at_begin_;  ///< of the attempt
+    Held held_;
 };
 
 }  // namespace psicarve::verify

@@ -67,6 +67,7 @@ void PathRule::follow(std::int64_t time_ns, const Positions& positions, bool spi
 void PathRule::note_way(std::int64_t time_ns, const Positions& positions) {
     const bool is_on_its_way = follower_.phase() == Phase::segment || follower_.phase() == Phase::link;
     if (is_on_its_way && !is_outward(positions)) follower_.times().go(time_ns);
+    if (has_only_gone_in() && !stands_at_begin(positions)) attempt_.has_left = true;
 }
 
 void PathRule::redefine(std::int64_t time_ns, const Positions& positions) {
@@ -86,6 +87,16 @@ bool PathRule::has_only_gone_in() const noexcept {
            next.step == attempt_.begin.step + 1;
 }
 
+/// Began anew, and psi never turned from there: what was carved before is so still.
+bool PathRule::was_in_vain() const noexcept {
+    const bool was_one_before = before_.end.is_complete || before_.end.early_at;
+    return was_one_before && has_only_gone_in() && !attempt_.goes_on && !attempt_.has_left;
+}
+
+bool PathRule::stands_at_begin(const Positions& positions) const noexcept {
+    return in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi];
+}
+
 /// Between layers that are not judged the heads came by a judged one's first point on their way out.
 bool PathRule::has_only_passed(const Positions& positions) const noexcept {
     return attempt_.was_elsewhere && has_only_gone_in() &&
@@ -95,7 +106,7 @@ bool PathRule::has_only_passed(const Positions& positions) const noexcept {
 /// Heads that go in together may pass where an earlier pass begins: nothing has begun until psi turns.
 bool PathRule::may_begin(const Positions& positions) const noexcept {
     if (follower_.phase() == Phase::approach) return true;
-    return has_only_gone_in() && in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi];
+    return has_only_gone_in() && stands_at_begin(positions);
 }
 
 bool PathRule::goes_in(const Positions& positions) const noexcept {
@@ -191,7 +202,7 @@ void PathRule::leave_out(std::int64_t time_ns, Offence offence) {
 /// Heads that only go in leave nothing out.
 void PathRule::count_left_out(const Positions& positions) {
     if (!attempt_.left_out || follower_.phase() == Phase::approach) return;
-    if (has_only_gone_in() && in_jobs_count(positions)[kPsi] == follower_.way().from()[kPsi]) return;
+    if (has_only_gone_in() && stands_at_begin(positions)) return;
     const auto left_out = std::exchange(attempt_.left_out, std::nullopt);
     if (log_.count(1, left_out->offence.time_ns)) log_.describe(left_out->offence, left_out->place);
 }
@@ -212,6 +223,7 @@ void PathRule::leave_first_point(std::int64_t time_ns, const Positions& position
     before_guess_ = log_.result(1);
     start(begins_.first(), time_ns, last_[kPsi]);
     attempt_.is_guess = true;
+    attempt_.has_left = true;
     const Positions left = in_jobs_count(last_);
     follower_.way().note_radii(left);
     follower_.miss(time_ns, left);
@@ -226,7 +238,20 @@ void PathRule::end_behind_judged_layers() {
     end_attempt(follower_.times().arrived_ns());
 }
 
+/// What it did wrong itself counts as long as what was carved before does.
+void PathRule::end_in_vain() {
+    follower_.end(attempt_.psi_offset);
+    JobFollower::Kept kept = before_.follower;
+    kept.line.join(follower_.findings().line_extent());
+    kept.on_path = follower_.kept().on_path;
+    follower_.restore(kept);
+    end_ = before_.end;
+    ledger_.end_in_vain(before_.ledger);
+}
+
 void PathRule::end_attempt(std::int64_t time_ns) {
+    count_attempt(time_ns);
+    if (was_in_vain()) return end_in_vain();
     // It went in and no further: nothing was carved anew, and what was carved before is so still.
     const bool is_none = has_only_gone_in() && attempt_.goes_on;
     if (is_none) follower_.progress().restore(before_.follower.progress);
@@ -245,7 +270,35 @@ void PathRule::end_attempt(std::int64_t time_ns) {
 void PathRule::finish(std::int64_t time_ns) {
     if (follower_.phase() != Phase::approach) end_attempt(time_ns);
     ledger_.count_held();
+    lacks_run_ = is_run_missing();
+    if (lacks_run_) judge_by_missing_run();
     if (!is_complete()) report_missing_end(time_ns);
+}
+
+void PathRule::count_attempt(std::int64_t time_ns) {
+    if (has_only_gone_in()) {
+        ++in_vain_;
+        last_vain_ = {{follower_.place(), time_ns, follower_.way().nearest(), false},
+                      follower_.progress().kept()};
+    } else {
+        in_vain_ = 0;
+        ++carving_;
+    }
+}
+
+bool PathRule::is_run_missing() const noexcept {
+    // Where layers that are not judged begin where judged ones do, one may have been taken for the other.
+    const bool lacks_one = carving_ < expected_.least_carving && !begins_.are_shared();
+    return lacks_one || in_vain_ > expected_.most_in_vain;
+}
+
+void PathRule::judge_by_missing_run() {
+    end_ = last_vain_ ? last_vain_->end : End{};
+    if (last_vain_) {
+        follower_.progress().restore(last_vain_->progress);
+    } else {
+        follower_.progress().forget_from(begins_.first());
+    }
 }
 
 void PathRule::report_missing_end(std::int64_t time_ns) {

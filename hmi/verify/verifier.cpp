@@ -23,6 +23,7 @@ struct Verifier::State : PositionJudge {
           to_path(path, profile),
           pins(profile, log, path.place(), *this) {
         if (asked.ends_there) path.end_with_last_layer();
+        path.expect({asked.most_vain_starts, asked.least_runs});
     }
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
@@ -120,7 +121,7 @@ Offence dry_run_with_spindle(std::int64_t time_ns) {
 }
 
 /// What was asked for may have been less than to carve it to the end.
-void judge_as_asked(VerifyReport& report, const AskedCarving& asked,
+void judge_as_asked(VerifyReport& report, const AskedCarving& asked, bool lacks_run,
                     const std::optional<std::int64_t>& spun_ns) {
     RuleResult& path = report.rules[0];
     report.is_dry = !asked.carves;
@@ -131,7 +132,8 @@ void judge_as_asked(VerifyReport& report, const AskedCarving& asked,
         report.points_total = report.points_visited;
         return;
     }
-    const bool is_as_far = report.points_visited > 0 && report.points_visited >= asked.least_points;
+    const bool is_as_far =
+        !lacks_run && report.points_visited > 0 && report.points_visited >= asked.least_points;
     report.is_cut = asked.may_end_early && is_as_far && report.points_visited != report.points_total;
     if (report.is_cut && is_end(path)) excuse_end(path);
 }
@@ -161,7 +163,7 @@ VerifyReport Verifier::finish() {
     report.trace_seconds = seconds_from_ns(s.pins.instant_ns());
     report.events = s.pins.events();
     report.first_point = s.asked.layers.first_point;
-    judge_as_asked(report, s.asked, s.spun_ns);
+    judge_as_asked(report, s.asked, s.path.lacks_run(), s.spun_ns);
     report.max_deviation_pulses = report.is_of_carved_alone() ? s.surface.max_carved_deviation_pulses()
                                                               : s.surface.max_deviation_pulses();
     report.ok =

@@ -75,6 +75,8 @@ public:
     std::uint64_t next_tick() const noexcept { return clock_.tick(); }
     MachineState state() const noexcept { return state_; }
     const PulseStage& pulses() const noexcept { return pulses_; }
+    /// Something was switched that the pins do not show yet: with two timers they do at the next tick.
+    bool is_switching() const noexcept { return outlet_.has_change(); }
     /// On hold, or on their way there or back: the heads are off the path.
     bool are_heads_lifted() const noexcept { return motion_.are_heads_lifted(); }
     /// A program runs, and nothing is left to do before its next block comes, or it may slow down without.

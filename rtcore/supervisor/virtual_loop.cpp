@@ -88,6 +88,8 @@ private:
         } else if (settle_left_ > 0) {
             --settle_left_;
         }
+        // A program may go on from its hold and end within a tick: what it switched comes to the pins yet.
+        if (parts_->cycle->is_switching()) settle_left_ = std::max<std::uint64_t>(settle_left_, 1);
     }
 
     /// The planner has no thread of its own here: while it works stop and emergency stop are heard and the

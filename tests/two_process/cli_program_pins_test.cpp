@@ -353,6 +353,16 @@ TEST_F(ProgramPins, AreAskedForOnlyWhereTheyCanBeWritten) {
     EXPECT_EQ(refused.error_lines(), 1U) << refused.error;
 }
 
+// The spindle goes off though the machine rests before that and after it; with two timers a tick later.
+TEST_F(ProgramPins, AreSwitchedOffByTheEndBehindAHold) {
+    start_core({"--profile", example("original.toml")});
+    ASSERT_EQ(run({"home"}).exit_code, 0);
+    const std::string path = program("end.ngc", "G21 G90 F300\nM3\nG1 X41\nM0\nM2\n");
+    const Outcome done = held_run({path, "--trace", file("end.trace")}, {});
+    EXPECT_EQ(done.exit_code, 0) << done.error << done.out;
+    EXPECT_NE(done.out.find("\"verified\":true"), std::string::npos) << done.out;
+}
+
 TEST_F(ProgramPins, AreJudgedByAProgramInsteadOfAJob) {
     const std::string path = program("mixed.ngc", kMixed);
     EXPECT_EQ(psicarve({"verify", path, path, "--program", path}).exit_code, 2);

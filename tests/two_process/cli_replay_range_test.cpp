@@ -107,6 +107,23 @@ TEST_F(ReplayRange, OfOneThatWasStoppedIsJudgedAsFarAsItWasRecorded) {
     EXPECT_EQ(both.json()["verification"]["cut_short"], true);
 }
 
+// The heads come to the first point, and nothing is carved: that takes nothing back.
+TEST_F(ReplayRange, OfAStartThatWasCalledOffIsJudgedByTheOneBefore) {
+    carve({});
+    const std::vector<std::string> starts[] = {{"start"}, {"start", "--from-layer", "2"}, {"start"}};
+    for (const auto& start : starts) {
+        ASSERT_EQ(run(start).exit_code, 0);
+        ASSERT_TRUE(reaches(MachineState::waiting));
+        ASSERT_EQ(run({"stop"}).exit_code, 0);
+        ASSERT_TRUE(reaches(MachineState::ready));
+    }
+    const Outcome outcome = replayed();
+    expect_judged(outcome, 0, 5, 5 * 9);
+    EXPECT_NE(outcome.json()["verification"]["cut_short"], true);
+    const Outcome named = run({"verify", file("a.snap"), file("a.trace")});
+    EXPECT_EQ(named.exit_code, 0) << named.out << named.error;
+}
+
 TEST_F(ReplayRange, OfADryRunIsJudgedByItsPulsesAlone) {
     carve({"--dry-run", "--from-layer", "1", "--layers", "2"});
     const Outcome outcome = replayed();

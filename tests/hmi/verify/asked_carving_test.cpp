@@ -126,6 +126,13 @@ TEST_F(AskedCarvingOf, OneThatWasStoppedHasCarvedWhatItsStatusSays) {
     EXPECT_TRUE(asked_carving(job_.view(), whole, 84)->ends_there);
 }
 
+TEST_F(AskedCarvingOf, ItsPointsAreOfTheStartThatTheStatusIsOf) {
+    const std::vector<FlightRecord> called_off{ready(), start(0), carve(), record_of(RecordKind::stop),
+                                               ready(), start(3), ready()};
+    EXPECT_EQ(asked_carving(job_.view(), called_off, 3 * 21 + 1)->least_points, 0U)
+        << "they are those before the layer that was to be carved next";
+}
+
 TEST_F(AskedCarvingOf, DryRunsCountAlone) {
     const auto dry = command(CommandKind::start, kRecordedDryRun | 1U);
     const auto alone = asked({ready(), dry, carve(), ready()});

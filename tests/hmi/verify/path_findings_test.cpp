@@ -57,12 +57,43 @@ TEST_F(AttemptLedgerTest, AllThatGoOnFromOneAnotherCount) {
     ledger.end();
     EXPECT_EQ(offences(), 0U);
     ledger.go_on();
-    EXPECT_EQ(offences(), 2U);
     breach(9);
     ledger.end();
-    EXPECT_EQ(offences(), 2U);
+    EXPECT_EQ(offences(), 0U) << "one that begins anew may drop them yet";
     ledger.count_held();
     EXPECT_EQ(offences(), 3U);
+    EXPECT_EQ(first_ns(), 7);
+}
+
+TEST_F(AttemptLedgerTest, BegunAnewAllThatWentOnFromOneAnotherIsDropped) {
+    AttemptLedger ledger(log_);
+    ledger.begin_anew();
+    breach(7);
+    ledger.end();
+    breach(8);
+    ledger.go_on();
+    breach(9);
+    ledger.end();
+    ledger.begin_anew();
+    breach(10);
+    ledger.end();
+    ledger.count_held();
+    EXPECT_EQ(offences(), 2U);
+    EXPECT_EQ(first_ns(), 8) << "between two attempts";
+}
+
+TEST_F(AttemptLedgerTest, OfOneInVainCountsWhatItDidAndWhatWasBefore) {
+    AttemptLedger ledger(log_);
+    ledger.begin_anew();
+    breach(7);
+    ledger.end();
+    const auto before = ledger.kept();
+    ledger.begin_anew();
+    breach(9);
+    ledger.end_in_vain(before);
+    EXPECT_EQ(offences(), 0U);
+    ledger.count_held();
+    EXPECT_EQ(offences(), 2U);
     EXPECT_EQ(first_ns(), 7);
 }
 

@@ -227,15 +227,12 @@ void PathRule::end_behind_judged_layers() {
 }
 
 void PathRule::end_attempt(std::int64_t time_ns) {
-    // It went in and no further: nothing was carved anew.
+    // It went in and no further: nothing was carved anew, and what was carved before is so still.
     const bool is_none = has_only_gone_in() && attempt_.goes_on;
     if (is_none) follower_.progress().restore(before_.follower.progress);
-    // Otherwise what was carved before it is carved still, behind its own end, too.
-    if (attempt_.goes_on) follower_.progress().count_still(before_.follower.progress);
-    const bool was_complete = attempt_.goes_on && before_.end.is_complete;
-    if (is_none && (was_complete || follower_.times().seconds_so_far() == 0.0))
+    if (is_none && (before_.end.is_complete || follower_.times().seconds_so_far() == 0.0))
         follower_.times() = before_.follower.times;
-    if (was_complete) {
+    if (is_none && before_.end.is_complete) {
         end_ = before_.end;
     } else {
         end_.is_complete = follower_.phase() == Phase::done;

@@ -72,19 +72,6 @@ TEST_F(ReplayRange, OfSeveralStartsIsWhatTheyCoverTogether) {
     expect_judged(replayed(), 4, 1, 9);
 }
 
-// The piece is whole, and stays so.
-TEST_F(ReplayRange, OfAPartDoneAgainBehindAWholeRunIsTheWholePiece) {
-    carve({});
-    carve({"--from-layer", "1", "--layers", "2"});
-    const Outcome outcome = replayed({"--json", "--picture", file("a.png")});
-    expect_judged(outcome, 0, 5, 5 * 9);
-    EXPECT_FALSE(outcome.json()["verification"].contains("cut_short"));
-    EXPECT_NE(outcome.json()["carve_seconds"], nullptr) << "of the last run";
-    const std::string text = replayed({}).out;
-    EXPECT_NE(text.find("verified   yes: 45 points visited exactly, largest"), std::string::npos) << text;
-    EXPECT_EQ(text.find("not finished"), std::string::npos) << text;
-}
-
 TEST_F(ReplayRange, OfOneThatWasStoppedIsJudgedAsFarAsItWasRecorded) {
     // Takes long enough to be stopped in the middle.
     constexpr std::uint32_t kLongLayers = 200;

@@ -22,15 +22,12 @@ void CarveProgress::take_back(std::uint32_t layer) noexcept {
 }
 
 void CarveProgress::forget_from(CarvePoint begin) noexcept {
+    const std::uint32_t first = geometry_.first_layer();
     of_layer_[begin.layer] = std::min(of_layer_[begin.layer], begin.step);
     std::fill(of_layer_.begin() + begin.layer + 1, of_layer_.end(), 0U);
-    add_up(begin.layer + 1);
-}
-
-void CarveProgress::add_up(std::uint32_t end_layer) noexcept {
-    const std::uint32_t first = geometry_.first_layer();
-    points_ = std::accumulate(of_layer_.begin() + first, of_layer_.begin() + end_layer, std::uint64_t{0}) -
-              geometry_.first_step(first);
+    points_ =
+        std::accumulate(of_layer_.begin() + first, of_layer_.begin() + begin.layer + 1, std::uint64_t{0}) -
+        geometry_.first_step(first);
 }
 
 std::uint32_t CarveProgress::due_layer() const noexcept {
@@ -42,12 +39,6 @@ std::uint32_t CarveProgress::due_layer() const noexcept {
 void CarveProgress::restore(const Kept& earlier) {
     of_layer_ = earlier.of_layer;
     points_ = earlier.points;
-}
-
-void CarveProgress::count_still(const Kept& earlier) {
-    for (std::size_t layer = 0; layer < of_layer_.size(); ++layer)
-        of_layer_[layer] = std::max(of_layer_[layer], earlier.of_layer[layer]);
-    add_up(geometry_.end_layer());
 }
 
 }  // namespace psicarve::verify

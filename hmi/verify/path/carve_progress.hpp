@@ -42,12 +42,8 @@ public:
     };
     Kept kept() const { return {of_layer_, points_}; }
     void restore(const Kept& earlier);
-    /// What was carved then is carved still, in all layers.
-    void count_still(const Kept& earlier);
 
 private:
-    void add_up(std::uint32_t end_layer) noexcept;
-
     const JobGeometry& geometry_;
     std::vector<std::uint32_t> of_layer_;
     std::uint64_t points_ = 0;

@@ -124,44 +124,6 @@ TEST(CutShort, BehindACompleteCarvingItTakesNothingBack) {
     }
 }
 
-TEST(CutShort, BehindACompleteCarvingAPartDoneAgainTakesNothingBack) {
-    const SampleJob job = cylinder(4);
-    PerfectMachine machine(job);
-    machine.carve_job();
-    PerfectMachine half_a_layer = machine;
-    machine.approach(1).layer(1).finish();
-    half_a_layer.approach(1).to_point(1, 1).to_point(1, 2).finish();
-    for (const bool may_end_early : {true, false}) {
-        const AskedCarving asked{.layers = {}, .may_end_early = may_end_early};
-        const VerifyReport report = judged(job, machine, asked);
-        EXPECT_TRUE(report.ok) << report_text(report);
-        EXPECT_FALSE(report.is_cut) << "all of the piece is carved";
-        EXPECT_EQ(report.points_visited, report.points_total);
-        EXPECT_DOUBLE_EQ(report.carve_seconds, (4 * 800 - 1) * kEachPulse_s) << "the last attempt's";
-        const VerifyReport half = judged(job, half_a_layer, asked);
-        EXPECT_TRUE(half.ok) << report_text(half);
-        EXPECT_EQ(half.points_visited, half.points_total);
-        EXPECT_DOUBLE_EQ(half.carve_seconds, (2 * 800 - 1) * kEachPulse_s);
-    }
-    machine.approach(1).to_point(1, 1).line({30, 0, 800, 0}).finish();
-    EXPECT_FALSE(judged(job, machine).ok) << "what is done again is judged, too";
-}
-
-TEST(CutShort, APartDoneAgainTakesNothingBackOfWhatLiesBehindIt) {
-    const SampleJob job = cylinder(4);
-    PerfectMachine machine(job);
-    machine.approach().layer(0).link_to(1).layer(1).link_to(2).to_point(2, 1).finish();
-    machine.approach(1).layer(1).finish();
-    const VerifyReport cut = judged(job, machine);
-    EXPECT_TRUE(cut.ok) << report_text(cut);
-    EXPECT_TRUE(cut.is_cut);
-    EXPECT_EQ(cut.points_visited, 5U + 5U + 2U);
-    machine.approach(2, 1).to_point(2, 2).to_point(2, 3).to_point(2, 4).link_to(3).layer(3).finish();
-    const VerifyReport whole = verified(job, machine);
-    EXPECT_TRUE(whole.ok) << report_text(whole);
-    EXPECT_EQ(whole.points_visited, whole.points_total);
-}
-
 // Beside the line all along: no point but the first was reached, but it carved.
 TEST(CutShort, CarvedForAsLongAsItDidWhereNothingWasReached) {
     const SampleJob job = cylinder();

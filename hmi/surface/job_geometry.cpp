@@ -92,6 +92,28 @@ Positions JobGeometry::target(std::uint32_t layer, std::uint32_t step) const noe
             job_.psi_pulses(layer, point), job_.y_pulses(layer, point)};
 }
 
+std::optional<std::uint32_t> JobGeometry::step_at(std::uint32_t layer, const Positions& at) const noexcept {
+    const std::uint32_t last = point_count() - 1;
+    if (job_.y_pulses(layer, 0) > at[kY] || job_.y_pulses(layer, last) < at[kY]) return std::nullopt;
+    const std::int64_t first_psi = target(layer, 0)[kPsi];
+    const std::int64_t way = target(layer, last)[kPsi] - first_psi;
+    const std::int64_t sign = way < 0 ? -1 : 1;
+    const std::int64_t turned = wrapped((at[kPsi] - first_psi) * sign, rev_pulses());
+    if (turned > way * sign) return std::nullopt;
+    std::uint32_t step = 0;  // the first that lies as far from the layer's begin
+    for (std::uint32_t end = last; step < end;) {
+        const std::uint32_t middle = step + (end - step) / 2;
+        if ((target(layer, middle)[kPsi] - first_psi) * sign < turned) {
+            step = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    const Positions point = target(layer, step);
+    const bool is_there = (point[kPsi] - first_psi) * sign == turned && point[kY] == at[kY];
+    return is_there ? std::optional(step) : std::nullopt;
+}
+
 std::int64_t JobGeometry::height(std::uint32_t row, std::int64_t direction_pulses) const noexcept {
     if (!is_spiral() || row == 0) return height(row);
     // Both heads rise alike; where one of them begins, the other one ends.

@@ -78,6 +78,8 @@ public:
 
     /// Axis positions of the point that is carved as the layer's `step`-th; psi is the job's absolute angle.
     Positions target(std::uint32_t layer, std::uint32_t step) const noexcept;
+    /// The layer's point at this psi, up to whole turns, and y, whatever its radii: in the order of carving.
+    std::optional<std::uint32_t> step_at(std::uint32_t layer, const Positions& at) const noexcept;
 
     /// The row that lies nearest to a height in this direction; nothing when it is further from the
     /// outermost rows than half the distance to their neighbours.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "hmi/verify/joint_finder.hpp"
 #include "hmi/verify/judged_trace.hpp"
 #include "hmi/verify/lift_filter.hpp"
 #include "hmi/verify/offence_log.hpp"
@@ -24,14 +25,19 @@ struct Verifier::State : PositionJudge {
           pins(profile, log, path.place(), *this) {
         if (asked.ends_there) path.end_with_last_layer();
         path.expect({asked.most_vain_starts, asked.least_runs});
+        if (profile.job.planner == Planner::angle) joints.emplace(geometry);
     }
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;
     void redefine(std::int64_t time_ns, const Positions& positions) override {
-        last = positions;
+        stand_at(positions);
         to_path.redefine(time_ns, positions);
     }
 
+    void stand_at(const Positions& positions) {
+        last = positions;
+        if (joints) joints->stand_at(positions);
+    }
     std::uint32_t layer_count() const noexcept { return geometry.end_layer() - geometry.first_layer(); }
     bool is_whole_job() const noexcept {
         return layer_count() == geometry.layer_count() && geometry.first_step(geometry.first_layer()) == 0;
@@ -46,6 +52,7 @@ struct Verifier::State : PositionJudge {
     PathRule path;
     LiftFilter to_path;
     PinRules pins;
+    std::optional<JointFinder> joints;  ///< with planner "angle"
     Follower follower;
 };
 
@@ -56,7 +63,8 @@ void Verifier::State::settle(std::int64_t time_ns, const Positions& positions, S
     const std::uint64_t visited = path.points_visited();
     to_path.settle(time_ns, positions, spindle_on);
     if (follower) follower(positions, spindle_on);
-    if (path.points_visited() != visited) pins.point_reached();
+    const bool is_joint = joints && joints->settle(time_ns, positions, spindle_on);
+    if (path.points_visited() != visited || is_joint) pins.point_reached();
 }
 
 Result<Verifier> Verifier::make(const JobView& job, const Profile& profile, const LayerRange& layers) {
@@ -84,7 +92,7 @@ void Verifier::set_follower(Follower follower) {
 
 Result<void> Verifier::begin(const TraceStart& start) {
     if (const auto begun = state_->pins.begin(start); !begun) return begun;
-    state_->last = start.position_pulses;
+    state_->stand_at(start.position_pulses);
     state_->to_path.begin(start.position_pulses, state_->pins.spindle_on());
     return {};
 }

@@ -26,6 +26,7 @@
 #include "rtcore/cycle/tick_clock.hpp"
 #include "rtcore/port/port.hpp"
 #include "shared/machine/machine_state.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 
 namespace psicarve::cycle {
 
@@ -89,9 +90,9 @@ public:
     Sample sample() const noexcept;
 
     /// For a replay only, before the first tick: every axis counts as homed and stands here; directions as in
-    /// `levels`, unless that is 0.
-    void assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses,
-                      SignalWord levels = 0) noexcept;
+    /// `levels`, unless that is 0, with so much of their gaps to cross that way.
+    void assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses, SignalWord levels = 0,
+                      const GapsLeft& left_pulses = {}) noexcept;
 
 private:
     // cycle.cpp: the tick

@@ -28,7 +28,9 @@ void Cycle::enter(MachineState state) noexcept {
     const std::uint32_t held_axes = std::uint32_t{homed_.mask()} & config_.switched_axes;
     if (state == MachineState::off && held_axes != 0) pulses_.set_enables(held_axes, clock_.tick());
     if (state == MachineState::ready) pulses_.set_enables(HomedAxes::kAll, clock_.tick());
-    reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state));
+    // A replay begins with such a rest.
+    const std::int64_t gaps = state == MachineState::ready ? recorded_gaps(pulses_.gaps_left()) : 0;
+    reporter_.report(RecordKind::state_change, static_cast<std::uint16_t>(state), kNoAxis, gaps);
 }
 
 void Cycle::program_done() noexcept {
@@ -168,9 +170,9 @@ void Cycle::request_plan(PlanKind kind, std::uint8_t axis, const MotionOrder* or
     }
 }
 
-void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses,
-                         SignalWord levels) noexcept {
-    if (levels != 0) pulses_.assume_directions(levels);
+void Cycle::assume_homed(const std::array<std::int64_t, kAxisCount>& position_pulses, SignalWord levels,
+                         const GapsLeft& left_pulses) noexcept {
+    if (levels != 0) pulses_.assume_directions(levels, left_pulses);
     for (std::size_t k = 0; k < kAxisCount; ++k) pulses_.set_position(k, position_pulses[k]);
     homed_.add_all();
     apply(MachineEvent::home);

@@ -7,6 +7,7 @@
 
 #include "rtcore/cycle/cycle_config.hpp"
 #include "rtcore/cycle/tips.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/machine/signal.hpp"
 
 namespace psicarve::cycle {
@@ -109,11 +110,11 @@ public:
         forget_waiting();
         begun_ = 0;
     }
-    /// Before the first tick: where the direction pins stood when the machine came to its place, by a way
-    /// longer than its screws' gaps.
-    void assume_directions(SignalWord levels) noexcept {
+    /// Before the first tick: where the direction pins stood when the machine came to its place, and how much
+    /// of their gaps the screws had still to cross that way.
+    void assume_directions(SignalWord levels, const GapsLeft& left_pulses) noexcept {
         levels_ = (levels_ & ~kDirMask) | (levels & kDirMask);
-        for (std::size_t k = 0; k < kAxisCount; ++k) tips_.rest_against(k, is_positive(k));
+        for (std::size_t k = 0; k < kAxisCount; ++k) tips_.rest_before(k, is_positive(k), left_pulses[k]);
     }
     void set_enables(std::uint32_t axes, std::uint64_t tick) noexcept;
     void set_spindle(bool on) noexcept {
@@ -144,6 +145,12 @@ public:
     /// Pulses upwards (or down) that go by before the tip follows.
     std::int64_t take_up_pulses(std::size_t axis, bool up) const noexcept {
         return tips_.take_up_pulses(axis, up);
+    }
+    /// The same, each the way its direction pin shows.
+    GapsLeft gaps_left() const noexcept {
+        GapsLeft left{};
+        for (std::size_t k = 0; k < kAxisCount; ++k) left[k] = take_up_pulses(k, is_positive(k));
+        return left;
     }
     /// Has it stepped within the last `ticks` ticks?
     bool stepped_within(std::size_t axis, std::int64_t within_ticks, std::uint64_t tick) const noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +35,11 @@ public:
         position_[axis] = position_pulses;
     }
 
-    /// It rests against the flank that pushes it up (or down).
-    void rest_against(std::size_t axis, bool up) noexcept { slack_[axis] = up ? 0 : backlash_[axis]; }
+    /// So many pulses upwards (or down) go by before the flank is there that pushes it that way.
+    void rest_before(std::size_t axis, bool up, std::int64_t left_pulses) noexcept {
+        const std::int64_t left = std::clamp<std::int64_t>(left_pulses, 0, backlash_[axis]);
+        slack_[axis] = up ? left : backlash_[axis] - left;
+    }
 
     const std::array<std::int64_t, kAxisCount>& positions() const noexcept { return position_; }
     /// Of each gap, downwards: 0 with the tip against the flank that pushes it up, all of it against the

@@ -9,6 +9,7 @@
 
 #include "rtcore/cycle/request_command.hpp"
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/machine/recorded_program.hpp"
 #include "shared/machine/replayed_part.hpp"
 
@@ -121,6 +122,15 @@ std::optional<ReplayStep> override_before(const Records& records, Records::const
     return step;
 }
 
+/// A stop may have come in the midst of a gap: the record of the rest with which the script begins says so.
+GapsLeft gaps_at(Records::const_iterator begin, Records::const_iterator first) {
+    for (auto record = std::next(first); record != begin;) {
+        --record;
+        if (record->kind == RecordKind::state_change) return gaps_left(record->value);
+    }
+    return {};
+}
+
 bool is_override_step(const ReplayStep& step) {
     return step.kind == ReplayStep::Kind::request && (step.request == cycle::RequestKind::override ||
                                                       step.request == cycle::RequestKind::rapid_override);
@@ -131,6 +141,7 @@ ReplayScript script_of(const Records& records, Records::const_iterator first, Re
     script.is_cut = last != records.end();
     script.first_tick = first->tick;
     script.start_levels = first->signals;
+    script.start_gaps = gaps_at(records.begin(), first);
     std::ranges::copy(first->position_pulses, script.start_position_pulses.begin());
     cycle::MotionOrder order{};
     std::uint8_t begun_switches = 0;

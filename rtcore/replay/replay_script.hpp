@@ -8,6 +8,7 @@
 
 #include "rtcore/cycle/cycle_io.hpp"
 #include "shared/base/result.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/machine/status.hpp"
 #include "shared/record/snapshot_file.hpp"
 
@@ -32,6 +33,7 @@ struct ReplayStep {
 struct ReplayScript {
     std::array<std::int64_t, kAxisCount> start_position_pulses{};
     SignalWord start_levels = 0;  ///< of all pins
+    GapsLeft start_gaps{};
     std::vector<ReplayStep> steps;
     std::uint64_t end_tick = 0;    ///< the last entry's
     std::uint64_t first_tick = 0;  ///< tick of the recorded run that is tick 0 here

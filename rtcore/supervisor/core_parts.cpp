@@ -95,7 +95,8 @@ Result<std::unique_ptr<CoreParts>> build_core(const CoreOptions& options, const 
     parts->io->trace = parts->trace_ring.get();
     parts->cycle =
         std::make_unique<cycle::Cycle>(plan::cycle_config_from_profile(profile), *parts->port, *parts->io);
-    if (request.homed_start) parts->cycle->assume_homed(*request.homed_start, request.start_levels);
+    if (request.homed_start)
+        parts->cycle->assume_homed(*request.homed_start, request.start_levels, request.start_gaps);
     if (const auto opened = parts->traces.open(options.trace_paths, trace_start_of(*parts)); !opened) {
         return opened.error();
     }

@@ -21,6 +21,7 @@
 #include "rtcore/supervisor/guarded_port.hpp"
 #include "rtcore/trace/trace_outlet.hpp"
 #include "shared/base/result.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/profile/profile.hpp"
 
 namespace psicarve::supervisor {
@@ -54,6 +55,7 @@ struct PartsRequest {
     Profile machine;  ///< of the simulated machine
     HomedStart homed_start;
     SignalWord start_levels = 0;  ///< with homed_start: as directions were left
+    GapsLeft start_gaps{};        ///< likewise: of the screws' gaps
     bool plays_recorded_inputs = false;
     std::optional<GuardedPort> real_port;  ///< nothing: the simulated one
 };

@@ -136,6 +136,7 @@ PartsRequest parts_request_of(const std::optional<Replay>& replay, const Profile
     if (!replay) return request;
     request.homed_start = replay->script ? replay->script->start_position_pulses : home_positions(profile);
     if (replay->script) request.start_levels = replay->script->start_levels;
+    if (replay->script) request.start_gaps = replay->script->start_gaps;
     request.plays_recorded_inputs = replay->script.has_value();
     return request;
 }

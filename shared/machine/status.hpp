@@ -156,8 +156,8 @@ struct FlightRecord {
     std::uint32_t axis;    ///< Axis or kNoAxis
     SignalWord signals;    ///< all levels after it happened
     std::uint32_t answer;  ///< command: AnswerKind; gap, program: as said there
-    std::int64_t
-        value;  ///< command: its value; alarm: count seen; job: generation; latch: correction [pulses]
+    std::int64_t value;    ///< command: its value; alarm: count seen; job: generation; latch: correction
+                           ///< [pulses]; ready entered: of the screws' gaps (recorded_gaps.hpp)
     std::int64_t position_pulses[kAxisCount];
 };
 static_assert(sizeof(FlightRecord) == 64 && std::is_trivially_copyable_v<FlightRecord>,

@@ -113,7 +113,7 @@ Carved carved(const Profile& profile, const JobTable& table, const Disturbance& 
     const auto ring = std::make_unique<trace::TraceRing>();
     MachineRig rig(profile, conditions.machine);
     rig.io->trace = ring.get();
-    Witness witness(view, profile, *ring);
+    Witness witness(view, conditions.judged_by.value_or(profile), *ring);
     const auto drain_while = [&](const std::function<bool()>& condition) {
         while (condition()) {
             for (int n = 0; n < 1000 && condition(); ++n) rig.tick();

@@ -48,6 +48,7 @@ using Disturbance = std::function<void(cycle::MachineRig&)>;
 struct Conditions {
     std::function<void(sim::SimConfig&)> machine;
     cycle::LayerRange layers;
+    std::optional<Profile> judged_by{};  ///< nothing: the machine's own profile
 };
 
 /// Homes, carves the table on a simulated machine and has the pins judged by all four rules.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/segment/robust_mutex.hpp"
 #include "tests/two_process/child_process.hpp"
 #include "tests/two_process/core_rig.hpp"
@@ -110,6 +111,34 @@ TEST_F(CoreReplay, WhatAnEarlierCoreHasLeftDoesNotShowInTheTrace) {
     carve_by_commands(lobed_job(3, 33), file("own.trace"));
     carve_by_commands(lobed_job(3, 33), file("left.trace"));
     EXPECT_TRUE(text_of(file("own.trace")) == text_of(file("left.trace")));
+}
+
+// A stop came in the midst of Y's gap on its way down: 5 of 80 pulses are left of it.
+TEST_F(CoreReplay, BeginsInTheGapsOfTheRecordedRest) {
+    Profile profile;
+    profile.y.backlash_mm = 80.0 / profile.y.pulses_per_mm;
+    FlightRecord rest{};
+    rest.tick = 1000;
+    rest.kind = RecordKind::state_change;
+    rest.code = static_cast<std::uint16_t>(MachineState::ready);
+    rest.signals = kEnableMask | bit_of(Signal::r1_dir);
+    rest.value = recorded_gaps({0, 0, 0, 5});
+    rest.position_pulses[index_of(Axis::y)] = 2000;
+    FlightRecord override{};
+    override.tick = 2000;
+    override.kind = RecordKind::command;
+    override.code = static_cast<std::uint16_t>(CommandKind::override);
+    override.answer = static_cast<std::uint32_t>(AnswerKind::done);
+    override.value = 50;
+    Snapshot snapshot;
+    snapshot.status = CoreStatus{};
+    snapshot.records = {rest, override};
+    snapshot.job_blob = job_blob_from_table(lobed_job(3, 33, profile));
+    ASSERT_TRUE(save_snapshot(snapshot, file("snapshot")));
+    ASSERT_EQ(replay(file("snapshot"), file("a.vcd")), 0) << text_of(file("replay.err"));
+    const std::string trace = text_of(file("a.vcd"));
+    EXPECT_NE(trace.find("crossed_pulses r1=0 r2=0 psi=0 y=75 $end"), std::string::npos)
+        << trace.substr(0, 2000);
 }
 
 TEST_F(CoreReplay, ARecordedRunIsAppliedAgainTickByTick) {

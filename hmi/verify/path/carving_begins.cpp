@@ -61,32 +61,6 @@ std::optional<std::uint32_t> CarvingBegins::layer_at(const Positions& at, std::u
     return found;
 }
 
-/// The layer's point at this psi and y, whatever its radii.
-std::optional<std::uint32_t> CarvingBegins::step_at(std::uint32_t layer, const Positions& at) const noexcept {
-    const std::uint32_t last = geometry_.point_count() - 1;
-    const JobView& job = geometry_.job();
-    if (job.y_pulses(layer, 0) > at[kY] || job.y_pulses(layer, last) < at[kY]) return std::nullopt;
-    const std::int64_t rev = geometry_.rev_pulses();
-    const std::int64_t first_psi = geometry_.target(layer, 0)[kPsi];
-    const std::int64_t way = geometry_.target(layer, last)[kPsi] - first_psi;
-    const std::int64_t sign = way < 0 ? -1 : 1;
-    std::int64_t turned = (at[kPsi] - first_psi) * sign % rev;
-    if (turned < 0) turned += rev;
-    if (turned > way * sign) return std::nullopt;
-    std::uint32_t step = 0;  // the first that lies as far from the layer's begin
-    for (std::uint32_t end = last; step < end;) {
-        const std::uint32_t middle = step + (end - step) / 2;
-        if ((geometry_.target(layer, middle)[kPsi] - first_psi) * sign < turned) {
-            step = middle + 1;
-        } else {
-            end = middle;
-        }
-    }
-    const Positions point = geometry_.target(layer, step);
-    const bool is_there = (point[kPsi] - first_psi) * sign == turned && point[kY] == at[kY];
-    return is_there ? std::optional(step) : std::nullopt;
-}
-
 std::optional<CarvePoint> CarvingBegins::point_at(const Positions& at, std::uint32_t due) {
     look_for_points(at);
     std::optional<CarvePoint> found;
@@ -104,7 +78,7 @@ void CarvingBegins::look_for_points(const Positions& at) {
     plunge_ = {at[kPsi], at[kY]};
     plunge_points_.clear();
     for (std::uint32_t layer = 0; layer < geometry_.layer_count(); ++layer) {
-        const auto step = step_at(layer, at);
+        const auto step = geometry_.step_at(layer, at);
         if (step && *step + 1 < geometry_.point_count()) plunge_points_.push_back({layer, *step});
     }
 }

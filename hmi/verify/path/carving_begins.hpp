@@ -38,7 +38,6 @@ public:
 
 private:
     bool is_begin_of(std::uint32_t layer, const Positions& at) const noexcept;
-    std::optional<std::uint32_t> step_at(std::uint32_t layer, const Positions& at) const noexcept;
     bool is_likelier(std::uint32_t layer, std::uint32_t than, std::uint32_t due) const noexcept;
     void look_for_points(const Positions& at);
 

@@ -5,9 +5,11 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "rtcore/cycle/layer_range.hpp"
 #include "rtcore/trace/trace_entry.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/machine/recording_form.hpp"
 #include "tests/rtcore/cycle/machine_rig.hpp"
 #include "tests/rtcore/cycle/move_requests.hpp"
@@ -45,6 +47,19 @@ Positions errors(const MachineRig& rig) {
     for (std::size_t k = 0; k < kAxisCount; ++k) off[k] -= rig.positions()[k];
     off[2] %= 6400;
     return off;
+}
+
+/// By the motor of Y, on a way down and one up again.
+std::array<std::uint64_t, 2> pulses_of_a_jog(MachineRig& rig) {
+    std::array<std::uint64_t, 2> pulses{};
+    std::uint64_t before = rig.cycle->pulses().emitted()[kY];
+    for (const bool up : {false, true}) {
+        EXPECT_EQ(rig.ask(jog_request(Axis::y, up ? 40 : -40)), Refusal::none);
+        EXPECT_TRUE(rig.run_until(MachineState::ready));
+        const std::uint64_t now = rig.cycle->pulses().emitted()[kY];
+        pulses[up ? 1 : 0] = now - std::exchange(before, now);
+    }
+    return pulses;
 }
 
 TEST(Backlash, HomingFindsTheTruePositionWhateverTheGapStandsAt) {
@@ -100,6 +115,31 @@ TEST(Backlash, OnlyAReversalCostsPulsesAndExactlyTheGap) {
     EXPECT_EQ(pulses_of(50), 50 + kGaps[0]);
     EXPECT_EQ(pulses_of(1), 1);
     EXPECT_EQ(pulses_of(-1), 1 + kGaps[0]);
+}
+
+// The flight recorder says how much of the gap is left: a replay takes up that much, in the same ticks.
+TEST(Backlash, AReplayBeginsInTheGapWhereAJogWasLetGo) {
+    int within = 0;
+    for (std::uint64_t ticks = 5; ticks < 600; ticks += 45) {
+        MachineRig sut(with_backlash());
+        ASSERT_TRUE(sut.home());
+        sut.ask(jog_request(Axis::y, 1000));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        ASSERT_EQ(sut.ask(jog_on_request(Axis::y, false, 300.0, 100'000)), Refusal::none);
+        sut.run(ticks);
+        sut.io->urgent.jog_lease.store(jog_lease_word(kToken, 0));
+        ASSERT_TRUE(sut.run_until(MachineState::ready));
+        const std::int64_t crossed = sut.cycle->pulses().crossed_pulses()[kY];
+        within += crossed > 0 && crossed < kGaps[kY] ? 1 : 0;
+        const FlightRecord rest = sut.records_of(RecordKind::state_change).back();
+        MachineRig replayed(with_backlash(), [&](sim::SimConfig& config) {
+            for (const Axis axis : kAllAxes) config.axis(axis).start_pulses = sut.positions()[index_of(axis)];
+        });
+        replayed.cycle->assume_homed(sut.positions(), rest.signals, gaps_left(rest.value));
+        EXPECT_EQ(replayed.cycle->pulses().crossed_pulses(), sut.cycle->pulses().crossed_pulses()) << ticks;
+        EXPECT_EQ(pulses_of_a_jog(replayed), pulses_of_a_jog(sut)) << ticks;
+    }
+    EXPECT_GT(within, 2);
 }
 
 TEST(Backlash, AJogThatIsLetGoInTheGapLosesNothing) {

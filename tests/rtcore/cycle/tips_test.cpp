@@ -67,9 +67,9 @@ TEST(Tips, TellHowMuchOfEachGapIsCrossedDownwards) {
     EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{0, 2, 0, 0}));
     for (int n = 0; n < 9; ++n) sut.count_pulse(1, false);
     EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{0, 3, 0, 0}));
-    for (std::size_t k = 0; k < kAxisCount; ++k) sut.rest_against(k, true);
+    for (std::size_t k = 0; k < kAxisCount; ++k) sut.rest_before(k, true, 0);
     EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{}));
-    for (std::size_t k = 0; k < kAxisCount; ++k) sut.rest_against(k, false);
+    for (std::size_t k = 0; k < kAxisCount; ++k) sut.rest_before(k, false, 0);
     EXPECT_EQ(sut.crossed_pulses(), (std::array<std::int64_t, kAxisCount>{0, 3, 0, 0}));
 }
 

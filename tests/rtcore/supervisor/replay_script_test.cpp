@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "shared/machine/command.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 #include "shared/machine/recorded_program.hpp"
 
 namespace psicarve::supervisor {
@@ -42,6 +43,26 @@ TEST(ReplayScript, BeginsAtTheFirstHomedRest) {
     EXPECT_EQ(sut->steps[0].request, cycle::RequestKind::start);
     EXPECT_EQ(sut->steps[0].tick, 500U);
     EXPECT_EQ(sut->end_tick, 500U);
+}
+
+// The job came while the machine rested there.
+TEST(ReplayScript, BeginsWithTheGapsOfTheRestBeforeIt) {
+    FlightRecord ready = state_change(1000, MachineState::ready);
+    ready.value = recorded_gaps({0, 7, 0, 65'535});
+    FlightRecord job = command(1200, CommandKind::none);
+    job.kind = RecordKind::job;
+    const FlightRecord start = command(1500, CommandKind::start);
+    for (const bool with_job : {false, true}) {
+        std::vector<FlightRecord> records{state_change(500, MachineState::ready), ready, start};
+        if (with_job) records.insert(records.begin() + 2, job);
+        if (!with_job) records.erase(records.begin());
+        const auto sut = script_from_records(records);
+        ASSERT_TRUE(sut.has_value());
+        EXPECT_EQ(sut->first_tick, with_job ? 1200U : 1000U);
+        EXPECT_EQ(sut->start_gaps, (GapsLeft{0, 7, 0, 65'535}));
+    }
+    EXPECT_EQ(recorded_gaps({0, 0, 0, 70'000}), recorded_gaps({0, 0, 0, 65'535}));
+    EXPECT_EQ(recorded_gaps({}), 0);
 }
 
 // One above 100 % has ended with the program before.

@@ -30,7 +30,8 @@ namespace psicarve::verify {
 /// that none of them carved are a breach. After a breach the rule goes on with the next point, so that one
 /// lost pulse does not hide all that follows.
 ///
-/// JobFollower judges the ways of an attempt; this class says where attempts begin and end.
+/// JobFollower judges the ways of an attempt; this class says where attempts begin and end. Its members: its
+/// parts, the attempt at hand, what was there before it should it be none, and how many there were.
 class PathRule {
 public:
     /// All three outlive it.

@@ -25,6 +25,9 @@ bool is_told_of(const FlightRecord& record) {
 bool is_same(const FlightRecord& recorded, const FlightRecord& replayed) {
     if (recorded.kind != replayed.kind || recorded.code != replayed.code) return false;
     if (recorded.kind == RecordKind::alarm) return recorded.axis == replayed.axis;
+    // Cores of before did not record how much of its gaps a machine at rest has still to cross.
+    const bool tells_no_gaps = recorded.kind == RecordKind::state_change && recorded.value == 0;
+    if (tells_no_gaps) return recorded.answer == replayed.answer;
     return recorded.value == replayed.value && recorded.answer == replayed.answer;
 }
 

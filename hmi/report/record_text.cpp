@@ -7,6 +7,7 @@
 #include "hmi/report/status_json.hpp"
 #include "shared/machine/command.hpp"
 #include "shared/machine/machine_state.hpp"
+#include "shared/machine/recorded_gaps.hpp"
 
 namespace psicarve::report {
 namespace {
@@ -137,17 +138,25 @@ nlohmann::ordered_json record_json(const FlightRecord& record) {
     Json positions;
     for (const Axis axis : kAllAxes)
         positions[std::string{name_of(axis)}] = record.position_pulses[index_of(axis)];
-    return {{"tick", record.tick},
-            {"kind", kind_text(record.kind)},
-            {"code", code.empty() ? Json(record.code) : Json(code)},
-            {"axis", record.axis < kAxisCount && record.kind != RecordKind::program
-                         ? Json(std::string{name_of(static_cast<Axis>(record.axis))})
-                         : Json(nullptr)},
-            {"answer", answer.empty() ? Json(nullptr) : Json(answer)},
-            {"signals", record.signals},
-            {"value", record.value},
-            {"program", program_record_json(record)},
-            {"position_pulses", positions}};
+    // Those of a machine at rest, in one number: more than a reader of JSON takes as such.
+    const bool tells_gaps = record.kind == RecordKind::state_change;
+    Json json{{"tick", record.tick},
+              {"kind", kind_text(record.kind)},
+              {"code", code.empty() ? Json(record.code) : Json(code)},
+              {"axis", record.axis < kAxisCount && record.kind != RecordKind::program
+                           ? Json(std::string{name_of(static_cast<Axis>(record.axis))})
+                           : Json(nullptr)},
+              {"answer", answer.empty() ? Json(nullptr) : Json(answer)},
+              {"signals", record.signals},
+              {"value", tells_gaps ? 0 : record.value},
+              {"program", program_record_json(record)},
+              {"position_pulses", positions}};
+    if (tells_gaps && record.value != 0) {
+        const GapsLeft left = gaps_left(record.value);
+        for (const Axis axis : kAllAxes)
+            json["gaps_left_pulses"][std::string{name_of(axis)}] = left[index_of(axis)];
+    }
+    return json;
 }
 
 }  // namespace psicarve::report

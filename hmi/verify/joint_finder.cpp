@@ -15,8 +15,8 @@ constexpr std::int64_t kRestBeforeDry_ns = 5 * kNsPerMs;  ///< half of what a co
 
 }  // namespace
 
-JointFinder::JointFinder(const JobGeometry& geometry)
-    : geometry_(geometry), by_height_(geometry.layer_count()) {
+JointFinder::JointFinder(const JobGeometry& geometry, bool is_of_dry_run)
+    : geometry_(geometry), is_of_dry_run_(is_of_dry_run), by_height_(geometry.layer_count()) {
     const JobView& job = geometry_.job();
     std::iota(by_height_.begin(), by_height_.end(), 0U);
     std::stable_sort(by_height_.begin(), by_height_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -39,8 +39,8 @@ bool JointFinder::settle(std::int64_t time_ns, const Positions& positions, bool 
     if (positions == from) return false;
     const bool has_rested = time_ns - std::exchange(moved_ns_, time_ns) >= kRestBeforeDry_ns;
     if (spindle_on) return is_met(positions);
-    if (positions[0] != from[0] || positions[1] != from[1]) return false;
-    is_dry_ = is_dry_ || (has_rested && !points_at(from).empty());
+    if (!is_of_dry_run_ || positions[0] != from[0] || positions[1] != from[1]) return false;
+    is_dry_ = (is_dry_ || (has_rested && !points_at(from).empty())) && !turns_back(from, positions);
     return is_dry_ && passes_dry(positions);
 }
 
@@ -82,6 +82,19 @@ void JointFinder::look_for_layers(std::int64_t y_pulses) {
         if (job.y_pulses(*layer, 0) + most_rise_ < y_pulses) break;
         layers_.push_back(*layer);
     }
+}
+
+/// At a point of the job, whose layers are all carved the other way.
+bool JointFinder::turns_back(const Positions& from, const Positions& to) {
+    const std::int64_t way = to[kPsi] - from[kPsi];
+    const std::vector<CarvePoint>& points = points_at(from);
+    if (way == 0 || points.empty()) return false;
+    return std::ranges::none_of(points, [&](CarvePoint point) {
+        const std::uint32_t end = std::max(point.step, 1U);
+        const std::int64_t carved =
+            geometry_.target(point.layer, end)[kPsi] - geometry_.target(point.layer, end - 1)[kPsi];
+        return (carved > 0) == (way > 0);
+    });
 }
 
 /// A head is the long axis of the line to this point.

@@ -15,13 +15,14 @@ namespace psicarve::verify {
 /// planner "angle" speeds may jump there.
 ///
 /// With the spindle on all axes meet at a point. In a dry run the heads stand still outside, while table and
-/// Y go as they would. It begins at rest on a point, and lasts until a head moves or the spindle is on. Where
+/// Y go as they would. It begins at rest on a point, and lasts until a head moves, the spindle is on or
+/// psi turns against the job's way. Where
 /// a head would have been the long axis of a line, table and Y have their last pulse of it before it ends:
 /// the joint is somewhere between that and their next one, and jumps at both cover it.
 class JointFinder {
 public:
-    /// The geometry outlives it.
-    explicit JointFinder(const JobGeometry& geometry);
+    /// The geometry outlives it. `is_of_dry_run`: a dry run was asked for; else none is looked for.
+    JointFinder(const JobGeometry& geometry, bool is_of_dry_run);
 
     /// Positions are these without a motion: at the trace's begin, or where they are defined anew.
     void stand_at(const Positions& positions) noexcept;
@@ -34,9 +35,11 @@ private:
     void end_dry() noexcept { is_dry_ = ends_late_ = false; }
     const std::vector<CarvePoint>& points_at(const Positions& at);
     void look_for_layers(std::int64_t y_pulses);
+    bool turns_back(const Positions& from, const Positions& to);
     bool ends_late(CarvePoint point) const noexcept;
 
     const JobGeometry& geometry_;
+    bool is_of_dry_run_;
     std::vector<std::uint32_t> by_height_;  ///< layers, by the height of their first points
     std::int64_t most_rise_ = 0;            ///< of a layer, from end to end [pulses]
     std::optional<std::int64_t> height_;    ///< of `layers_`

@@ -25,7 +25,7 @@ struct Verifier::State : PositionJudge {
           pins(profile, log, path.place(), *this) {
         if (asked.ends_there) path.end_with_last_layer();
         path.expect({asked.most_vain_starts, asked.least_runs});
-        if (profile.job.planner == Planner::angle) joints.emplace(geometry);
+        if (profile.job.planner == Planner::angle) joints.emplace(geometry, !asked.carves);
     }
 
     void settle(std::int64_t time_ns, const Positions& positions, SignalWord levels) override;

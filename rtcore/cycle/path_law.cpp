@@ -100,8 +100,10 @@ void PathLaw::bound(double begin2, double end2) noexcept {
 bool PathLaw::bound_now(double begin2, double end2) noexcept {
     const double share = way_ / limits_.timing().length;
     const double speed_now = speed() / limits_.period_s();
+    if (is_bound_) begin2 = std::min(begin2, bounds2_[0]);
+    if (is_bound_) end2 = std::min(end2, bounds2_[1]);
     if (speed_now * speed_now > begin2 + share * (end2 - begin2)) return false;
-    bound(is_bound_ ? std::min(begin2, bounds2_[0]) : begin2, is_bound_ ? std::min(end2, bounds2_[1]) : end2);
+    bound(begin2, end2);
     bound_target();
     if (!is_resting_) restart();
     return true;

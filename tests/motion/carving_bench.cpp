@@ -20,8 +20,8 @@ using trace::TraceEntry;
 /// The trace's way from the tick to the verifier.
 class Witness {
 public:
-    Witness(const JobView& job, const Profile& profile, trace::TraceRing& ring)
-        : verifier_(verify::Verifier::make(job, profile).value()), ring_(&ring) {
+    Witness(const JobView& job, const Profile& profile, trace::TraceRing& ring, bool is_dry)
+        : verifier_(verify::Verifier::make_for(job, profile, {.carves = !is_dry}).value()), ring_(&ring) {
         period_ns_ = tick_period_ns(profile);
         verify::TraceStart start;
         start.present = (SignalWord{1} << kSignalCount) - 1;
@@ -113,7 +113,7 @@ Carved carved(const Profile& profile, const JobTable& table, const Disturbance& 
     const auto ring = std::make_unique<trace::TraceRing>();
     MachineRig rig(profile, conditions.machine);
     rig.io->trace = ring.get();
-    Witness witness(view, conditions.judged_by.value_or(profile), *ring);
+    Witness witness(view, conditions.judged_by.value_or(profile), *ring, conditions.layers.is_dry);
     const auto drain_while = [&](const std::function<bool()>& condition) {
         while (condition()) {
             for (int n = 0; n < 1000 && condition(); ++n) rig.tick();

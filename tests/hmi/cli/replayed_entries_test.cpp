@@ -46,6 +46,16 @@ TEST(ReplayedEntries, AreThoseOfTheLastProgramUpToTheNextJob) {
     EXPECT_EQ(entries_of_program(started, 5).size(), 2U);
 }
 
+TEST(ReplayedEntries, OfACoreThatRecordedNoGapsAreTheSame) {
+    const auto ready = static_cast<unsigned>(MachineState::ready);
+    const Entries old{event(10, ProgramEvent::begun, 5), entry(20, RecordKind::state_change, ready)};
+    Entries replayed{event(10, ProgramEvent::begun, 5), entry(20, RecordKind::state_change, ready, 7)};
+    EXPECT_EQ(compare_entries(old, replayed).same_count, 2U);
+    const Entries recorded = replayed;
+    replayed[1].value = 8;
+    EXPECT_EQ(compare_entries(recorded, replayed).same_count, 1U);
+}
+
 TEST(ReplayedEntries, AreComparedFromTheBeginOfEach) {
     Entries recorded{event(1000, ProgramEvent::begun, 5), event(1500, ProgramEvent::held, 7),
                      entry(1600, RecordKind::alarm, 2, 9)};
